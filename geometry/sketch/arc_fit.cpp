@@ -22,6 +22,7 @@ namespace {
 struct PolylineWalk {
     const std::vector<Vec2>& points;
     std::size_t start = 0;
+    double written = 0;  ///< what rounding moves the points by
     const Vec2& operator[](std::size_t i) const { return points[(start + i) % points.size()]; }
     int index(std::size_t i) const { return static_cast<int>((start + i) % points.size()); }
 };
@@ -97,7 +98,9 @@ bool are_sides_of_arc(const PolylineWalk& p, std::size_t i, std::size_t j, doubl
     if (largest + residual <= tolerance) return true;
     const auto middle = of_facets.begin() + static_cast<std::ptrdiff_t>((of_facets.size() - 1) / 2);
     std::nth_element(of_facets.begin(), middle, of_facets.end());
-    return largest <= std::max(tolerance, most_sagitta_of_median * *middle) && residual <= points_share * largest;
+    const double explained = std::min(2 * p.written, rounded_share * largest);
+    return largest <= std::max(tolerance, most_sagitta_of_median * *middle) &&
+           residual <= std::max(points_share * largest, explained);
 }
 
 double largest_miss(const PolylineWalk& p, std::size_t i, std::size_t j, const Vec2& center, double radius) {
@@ -151,18 +154,34 @@ std::optional<Vec2> center_of_all(const std::vector<Vec2>& points) {
     return Vec2(mean + Vec2(yy * right.x() - xy * right.y(), xx * right.y() - xy * right.x()) / det);
 }
 
-std::optional<FittedPiece> full_circle(const std::vector<Vec2>& points, double tolerance) {
+/// A circle is given with no more digits than its points are written with: it is that one, if their rounding explains them.
+void take_written(const PolylineWalk& p, std::size_t n, double written, Vec2& center, double& radius) {
+    constexpr double beside = 1e-6;
+    const double digit = std::sqrt(2.0) * written;
+    const auto rounded = [&](double x) { return digit * std::round(x / digit); };
+    const Vec2 at(rounded(center.x()), rounded(center.y()));
+    if (!(largest_miss(p, 0, n, at, rounded(radius)) <= (1 + beside) * written)) return;
+    radius = rounded(radius);
+    center = at;
+}
+
+std::optional<FittedPiece> full_circle(const std::vector<Vec2>& points, double tolerance, double written) {
     if (points.size() < least_facets) return std::nullopt;
-    const std::optional<Vec2> center = center_of_all(points);
+    std::optional<Vec2> center = center_of_all(points);
     if (!center) return std::nullopt;
-    const PolylineWalk p{points};
+    const PolylineWalk p{points, 0, written};
     const std::size_t n = points.size();
-    const double radius = (points[0] - *center).norm(), residual = largest_miss(p, 0, n, *center, radius);
+    double radius = 0;
+    for (const Vec2& q : points) radius += (q - *center).norm() / static_cast<double>(n);
+    if (written > 0) take_written(p, n, written, *center, radius);
+    const double residual = largest_miss(p, 0, n, *center, radius);
     if (!(residual <= tolerance) || !are_sides_of_arc(p, 0, n, radius, residual, tolerance)) return std::nullopt;
     const auto sweep = sweep_about(p, 0, n, *center);
     // All facets turn one way: their sum is one turn, or more of a polyline that runs around several times.
     if (!sweep || std::abs(*sweep) > 1.5 * two_pi) return std::nullopt;
-    return FittedPiece{arc_from(*center, points[0], std::copysign(two_pi, *sweep)), 0, 0, residual};
+    Arc circle = arc_from(*center, points[0], std::copysign(two_pi, *sweep));
+    circle.radius = radius;
+    return FittedPiece{circle, 0, 0, residual};
 }
 
 // ---- runs ----
@@ -270,16 +289,16 @@ std::vector<Vec2> sampled(const Curve& curve) {
 
 }  // namespace
 
-std::vector<FittedPiece> fit_lines_and_arcs(const std::vector<Vec2>& points, bool closed, double tolerance) {
+std::vector<FittedPiece> fit_lines_and_arcs(const std::vector<Vec2>& points, bool closed, double tolerance, double written) {
     if (points.size() < 2) return {};
-    if (!closed) return fitted_pieces({points}, points.size() - 1, tolerance);
-    if (auto circle = full_circle(points, tolerance)) return {*circle};
+    if (!closed) return fitted_pieces({points, 0, written}, points.size() - 1, tolerance);
+    if (auto circle = full_circle(points, tolerance, written)) return {*circle};
     // Where the runs begin matters on a closed polyline. From the longest facet, which is a line's if there are lines; then
     // once more from the first joint that was found, so that no run is cut in two where the first walk happened to begin.
-    const PolylineWalk first{points, begin_of_longest_facet(points)};
+    const PolylineWalk first{points, begin_of_longest_facet(points), written};
     const std::vector<FittedPiece> found = fitted_pieces(first, points.size(), tolerance);
     if (found.size() < 2) return found;
-    return fitted_pieces({points, static_cast<std::size_t>(found[1].first)}, points.size(), tolerance);
+    return fitted_pieces({points, static_cast<std::size_t>(found[1].first), written}, points.size(), tolerance);
 }
 
 std::optional<Curve> as_line_or_arc(const Curve& curve, double tolerance) {
@@ -289,7 +308,7 @@ std::optional<Curve> as_line_or_arc(const Curve& curve, double tolerance) {
     const std::size_t last = points.size() - 1;
     if ((points.back() - points.front()).norm() <= tolerance) {
         points.pop_back();
-        const auto circle = full_circle(points, tolerance);
+        const auto circle = full_circle(points, tolerance, 0);
         return circle ? std::optional(circle->curve) : std::nullopt;
     }
     if (const auto line = line_through(p, 0, last, tolerance)) return line->curve;

@@ -120,8 +120,25 @@ void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch
     sketch.open_length += closed.open_length;
 }
 
+/// What closes; where lines share areas and cross, with all that lies within the joining tolerance taken for one, if that
+/// leaves no problem. Where outlines are open that would close clearances.
+ClosedOutlines closed(const std::vector<SketchEntity>& entities, MendedLines mended, const SketchOptions& options,
+                      double rounding) {
+    ClosedOutlines found = close_outlines(std::move(mended), options);
+    const bool do_cross = found.crossings > 0 && found.crossings == found.problems.size();
+    if (!do_cross || found.tolerance <= found.coincidence) return found;
+    ClosedOutlines rough = close_outlines(mended_lines(entities, options, rounding, Mending::rough), options);
+    if (!rough.problems.empty()) return found;
+    const SketchProblem& solved = found.problems.front();
+    rough.warnings.push_back({"lines less than " + number_text(rough.coincidence) +
+                                  " apart are taken as one, since areas do not come out otherwise: " + solved.what,
+                              solved.at, solved.entity, solved.line,
+                              "draw ends on each other, or give a smaller tolerance to keep what is drawn apart"});
+    return rough;
+}
+
 ClosedOutlines closed(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
-    return close_outlines(mended_lines(entities, options, rounding, false), options);
+    return closed(entities, mended_lines(entities, options, rounding, Mending::usual), options, rounding);
 }
 
 /// An insertion of a block that does not close by itself is a portion of something larger. `mended`: the whole group; null
@@ -139,7 +156,7 @@ GroupOutlines close_group(const EntityGroup& group, const MendedLines* mended, c
             append(rest, std::move(instances[k]));
     }
     const bool is_known = mended && instances.size() == 1 && mended->tolerances.rounding == rounding;
-    add_closed(found, is_known ? close_outlines(*mended, options) : closed(rest, options, rounding), sketch);
+    add_closed(found, is_known ? closed(rest, *mended, options, rounding) : closed(rest, options, rounding), sketch);
     return found;
 }
 

@@ -101,11 +101,11 @@ Replacement replacement(const std::vector<SketchPiece>& entities, const FacetRun
 }
 
 /// Notes the arcs of one run and which of its entities they replace.
-void find_arcs(const FacetChains& chains, const FacetRun& run, double tolerance, std::vector<Replacement>& arcs,
+void find_arcs(const FacetChains& chains, const FacetRun& run, double tolerance, double written, std::vector<Replacement>& arcs,
                std::vector<bool>& is_replaced) {
     if (run.entities.size() < static_cast<std::size_t>(least_facets)) return;
     const std::size_t n = run.entities.size();
-    for (const FittedPiece& piece : fit_lines_and_arcs(chains.points(run), run.is_closed, tolerance)) {
+    for (const FittedPiece& piece : fit_lines_and_arcs(chains.points(run), run.is_closed, tolerance, written)) {
         if (!std::holds_alternative<Arc>(piece.curve)) continue;
         const std::size_t begin = at(piece.first), end = at(piece.last);
         const std::size_t n_facets = end > begin ? end - begin : end + n - begin;  // all the way around: n
@@ -128,7 +128,7 @@ void recognise_curves(std::vector<SketchPiece>& entities, std::vector<Repair>& r
     }
 }
 
-bool recognise_facets(std::vector<SketchPiece>& entities, const Joints& joints, double tolerance,
+bool recognise_facets(std::vector<SketchPiece>& entities, const Joints& joints, double tolerance, double written,
                       std::vector<Repair>& repairs) {
     const FacetChains chains{entities, joints};
     std::vector<bool> is_seen(entities.size(), false), is_replaced(entities.size(), false);
@@ -138,7 +138,7 @@ bool recognise_facets(std::vector<SketchPiece>& entities, const Joints& joints, 
         if (is_seen[i] || !chains.is_segment(e)) continue;
         const FacetRun run = chains.run_through(e);
         for (const int other : run.entities) is_seen[at(other)] = true;
-        find_arcs(chains, run, tolerance, arcs, is_replaced);
+        find_arcs(chains, run, tolerance, written, arcs, is_replaced);
     }
     for (const Replacement& arc : arcs) {
         is_replaced[at(arc.first)] = false;

@@ -18,6 +18,8 @@ void recognise_curves(std::vector<SketchPiece>& entities, std::vector<Repair>& r
 /// Replaces chains of segments by arcs where their joints lie on one within the tolerance (arc_fit.hpp). An arc stands where
 /// its first segment stood, and has its name. Each is a repair at the middle of the arc; its size is the largest distance of a
 /// joint from it. Returns whether any was found: the joints are out of date then.
-bool recognise_facets(std::vector<SketchPiece>& entities, const Joints& joints, double tolerance, std::vector<Repair>& repairs);
+/// written: what rounding moves the joints by, if known.
+bool recognise_facets(std::vector<SketchPiece>& entities, const Joints& joints, double tolerance, double written,
+                      std::vector<Repair>& repairs);
 
 }  // namespace abut::geometry

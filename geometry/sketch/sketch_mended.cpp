@@ -54,7 +54,42 @@ double size_of(const Pieces& entities, double total_length) {
     return std::min(box_of(entities).diagonal(), total_length);
 }
 
-JoiningTolerances tolerances_of(const Pieces& entities, const SketchOptions& options, double rounding) {
+/// A number of digits that coordinates are written with tells how well they are known if it is more than sizes are given with:
+/// to this fraction of the drawing's own. Facets' joints are within twice the rounding of an arc through others of them, and
+/// stand off by as much again.
+constexpr double most_written_fraction = 1e-4;
+constexpr double facets_of_written = 4;
+
+/// How far rounding to the last digit that all ends of lines are written with moves a point; 0: they are written with all their
+/// digits, or with as few as sizes are given with.
+double written_rounding(const Pieces& entities, double size) {
+    constexpr int most_decimals = 6;
+    std::vector<double> numbers;
+    for (const SketchPiece& entity : entities)
+        if (const auto* line = std::get_if<Segment>(&entity.curve))
+            numbers.insert(numbers.end(), {line->from.x(), line->from.y(), line->to.x(), line->to.y()});
+    double last = 1;
+    for (int k = 0; k <= most_decimals && !numbers.empty(); ++k, last *= 10) {
+        const auto is_written = [&](double x) {
+            constexpr double of_digit = 1e-6;
+            const double scaled = std::abs(x) * last, away = std::abs(scaled - std::round(scaled));
+            return away <= of_digit + 4 * std::numeric_limits<double>::epsilon() * scaled;
+        };
+        if (!std::all_of(numbers.begin(), numbers.end(), is_written)) continue;
+        const double moved = std::sqrt(0.5) / last;
+        return moved <= most_written_fraction * size ? moved : 0;
+    }
+    return 0;
+}
+
+/// The same for each line that is not along an axis.
+void set_slack(Pieces& entities, double written) {
+    for (SketchPiece& entity : entities)
+        if (const auto* line = std::get_if<Segment>(&entity.curve))
+            if (line->from.x() != line->to.x() && line->from.y() != line->to.y()) entity.slack = 2 * written;
+}
+
+JoiningTolerances tolerances_of(const Pieces& entities, const SketchOptions& options, double rounding, bool is_rough) {
     double shortest = std::numeric_limits<double>::infinity(), total = 0;
     for (const SketchPiece& entity : entities) {
         const double own = length(entity.curve);
@@ -63,7 +98,9 @@ JoiningTolerances tolerances_of(const Pieces& entities, const SketchOptions& opt
     }
     const double size = size_of(entities, total), by_size = joining_fraction * size;
     const double joining = std::max(std::min(options.tolerance > 0 ? options.tolerance : by_size, shortest / 2), rounding);
-    return {joining, std::max(std::min(joining, coincidence_fraction * size), rounding), std::min(joining, by_size), rounding};
+    const double written = written_rounding(entities, size);
+    return {joining, is_rough ? joining : std::max(std::min(joining, coincidence_fraction * size), rounding),
+            std::max(std::min(joining, by_size), facets_of_written * written), rounding, written};
 }
 
 /// Entities that are neither in a closed chain nor in a divided outline.
@@ -135,14 +172,15 @@ void trace(MendedLines& lines) {
 }
 
 MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
-                         bool cut_at_crossings) {
+                         Mending how) {
     MendedLines lines{pieces_of(entities)};
     remove_without_length(lines.entities, rounding, lines.repairs);
     if (lines.entities.empty()) return lines;
     if (options.recognise_arcs) recognise_curves(lines.entities, lines.repairs);
-    lines.tolerances = tolerances_of(lines.entities, options, rounding);
+    lines.tolerances = tolerances_of(lines.entities, options, rounding, how == Mending::rough);
+    set_slack(lines.entities, lines.tolerances.written);
     trace(lines);
-    if (cut_at_crossings)
+    if (how == Mending::cut_at_crossings)
         cut_everywhere(lines);
     else
         take_overlaid(lines);

@@ -12,8 +12,9 @@ namespace abut::geometry {
 struct JoiningTolerances {
     double joining = 0;      ///< of ends
     double coincidence = 0;  ///< of curves
-    double facets = 0;       ///< of facets' joints from an arc: never more than what the size suggests
+    double facets = 0;       ///< of facets' joints from an arc: never more than what the size, or their last digit, suggests
     double rounding = 0;     ///< what the coordinates' own rounding amounts to in the file
+    double written = 0;      ///< what rounding to the last digit that lines are written with moves a point by, if that is known
 };
 
 /// Entities, and what they make as they are now.
@@ -33,9 +34,13 @@ void trace(MendedLines& lines);
 
 /// Joins and mends: steps 1 to 4 of sketch_outlines.cpp. Ends of others are none of their business. The joining tolerance
 /// asked for (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but
-/// never below `rounding`. `cut_at_crossings`: all lines are cut where they cross, and none kept as drawn over others.
-MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
-                         bool cut_at_crossings);
+/// never below `rounding`.
+enum class Mending {
+    usual,             ///< what is off by more than rounding may be a clearance
+    rough,             ///< what is within the joining tolerance is one
+    cut_at_crossings,  ///< all lines are cut where they cross, and none kept as drawn over others
+};
+MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding, Mending how);
 
 /// Cuts upright lines that share areas where they cross, as in tables.
 void cut_tables(MendedLines& lines);

@@ -67,7 +67,8 @@ ClosedOutlines close_outlines(MendedLines lines, const SketchOptions& options) {
     found.tolerance = near.joining;
     found.coincidence = near.coincidence;
     report_joints(lines);
-    if (options.recognise_arcs && recognise_facets(lines.entities, lines.joints, near.facets, lines.repairs)) trace(lines);
+    if (options.recognise_arcs && recognise_facets(lines.entities, lines.joints, near.facets, near.written, lines.repairs))
+        trace(lines);
     close_joints(lines.entities, lines.joints, near.rounding);
 
     OpenLines open = tell_open_lines(lines.entities, lines.chains, near.joining, options.leave_open);
@@ -79,10 +80,12 @@ ClosedOutlines close_outlines(MendedLines lines, const SketchOptions& options) {
     found.outlines.closed = std::move(lines.chains.closed);
     for (const std::vector<int>& block : lines.chains.divided) {
         DividedOutline divided = walk_faces(lines.entities, lines.joints, block);
-        if (is_plane(divided, lines.joints, block))
+        if (is_plane(divided, lines.joints, block)) {
             found.outlines.divided.push_back(std::move(divided));
-        else
+        } else {
             found.problems.push_back(crossing_lines(lines.entities, block, near.coincidence));
+            ++found.crossings;
+        }
     }
     found.outlines.entities = std::move(lines.entities);
     put_back(found.outlines, lines);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the steps from a drawing to parts work on: entities, and pieces of entities that others cut in two.
 #pragma once
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "geometry/sketch/sketch.hpp"
 
@@ -14,6 +16,15 @@ struct SketchPiece : SketchEntity {
     int times_drawn = 1;      ///< how often the drawing holds it
     std::vector<int> of{};    ///< the entities that it is (a piece of), by their place among those given
     double whole_length = 0;  ///< of the longest of these entities, uncut
+    /// How far beside a line that it was meant to be on it may be written: twice the rounding of its coordinates' last digit.
+    /// Nothing of lines along an axis, which stay on each other, and of others.
+    double slack = 0;
 };
+
+inline double largest_slack(const std::vector<SketchPiece>& entities) {
+    double most = 0;
+    for (const SketchPiece& entity : entities) most = std::max(most, entity.slack);
+    return most;
+}
 
 }  // namespace abut::geometry

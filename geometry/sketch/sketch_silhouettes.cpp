@@ -112,7 +112,7 @@ struct SilhouetteSearch {
     void replace(int insertion, const std::vector<SketchEntity>& entities) {
         SketchOptions plain = options;
         plain.recognise_arcs = false;  // done with the parts
-        ClosedOutlines closed = close_outlines(mended_lines(entities, plain, rounding, true), plain);
+        ClosedOutlines closed = close_outlines(mended_lines(entities, plain, rounding, Mending::cut_at_crossings), plain);
         found.repairs.insert(found.repairs.end(), closed.repairs.begin(), closed.repairs.end());
         const std::vector<Region> outer = outer_outlines(closed.outlines);
         for (const SketchProblem& problem : closed.problems)

@@ -17,7 +17,12 @@ namespace abut::geometry {
 
 namespace {
 
-using Cuts = std::map<std::size_t, std::vector<double>>;  ///< parameters by entity
+/// Where on an entity, and the end there that a line whose coordinates are rounded as well was meant to go through.
+struct CutPlace {
+    double t;
+    Vec2 through;
+};
+using Cuts = std::map<std::size_t, std::vector<CutPlace>>;  ///< by entity
 
 int joint_of(const Joints& joints, const EntityEnd& end) {
     return (end.is_begin ? joints.at_begin : joints.at_end)[static_cast<std::size_t>(end.entity)];
@@ -42,12 +47,12 @@ bool runs_beside(const SketchPiece& entity, bool is_begin, const SketchPiece& ot
 }
 
 /// Notes the cut unless it repeats one.
-bool note(Cuts& cuts, const SketchPiece& entity, std::size_t index, double t, double coincidence) {
-    std::vector<double>& known = cuts[index];
+bool note(Cuts& cuts, const SketchPiece& entity, std::size_t index, double t, const Vec2& through, double coincidence) {
+    std::vector<CutPlace>& known = cuts[index];
     const Vec2 p = point(entity.curve, t);
-    for (const double other : known)
-        if ((point(entity.curve, other) - p).norm() <= coincidence) return false;
-    known.push_back(t);
+    for (const CutPlace& other : known)
+        if ((point(entity.curve, other.t) - p).norm() <= coincidence) return false;
+    known.push_back({t, through});
     return true;
 }
 
@@ -89,6 +94,7 @@ Cuts find_cuts(const std::vector<SketchPiece>& entities, const Joints& joints, c
     const AskedEntities all = asked_entities(entities, std::vector<bool>(entities.size(), true));
     const AskedEntities in_trouble = asked_entities(entities, troubled);
     Cuts cuts;
+    const double most_slack = largest_slack(entities);
     for (const EntityEnd& end : different_ends(entities, troubled)) {
         const auto i = static_cast<std::size_t>(end.entity);
         const AskedEntities& asked = troubled[i] ? all : in_trouble;
@@ -98,12 +104,13 @@ Cuts find_cuts(const std::vector<SketchPiece>& entities, const Joints& joints, c
         const double reach = is_alone ? tolerance : coincidence;
         Box2 here;
         here.extend(p);
-        for (const int near : asked.tree.near(here, reach)) {
+        for (const int near : asked.tree.near(here, std::max(reach, most_slack))) {
             const std::size_t j = asked.entity[static_cast<std::size_t>(near)];
             if (i == j || joints.at_begin[j] == joint || joints.at_end[j] == joint) continue;
-            const std::optional<double> t = place_inside(entities[j], p, reach, coincidence);
-            if (!t || runs_beside(entities[i], end.is_begin, entities[j], *t, coincidence) ||
-                !note(cuts, entities[j], j, *t, coincidence))
+            const double one = std::max(coincidence, entities[j].slack);
+            const std::optional<double> t = place_inside(entities[j], p, std::max(reach, one), coincidence);
+            if (!t || runs_beside(entities[i], end.is_begin, entities[j], *t, one) ||
+                !note(cuts, entities[j], j, *t, p, coincidence))
                 continue;
             const Vec2 at = point(entities[j].curve, *t);
             repairs.push_back({entities[j].kind + " " + entities[j].name + " cut where " + entities[i].name + " ends on it", at,
@@ -133,6 +140,15 @@ std::vector<Curve> cut_full_turn(const Curve& curve, std::vector<double> cuts) {
     return pieces;
 }
 
+/// The pieces of a line whose coordinates are rounded go through the ends that were rounded beside it.
+void pull_onto_ends(std::vector<CutPlace> cuts, std::vector<Curve>& pieces) {
+    std::sort(cuts.begin(), cuts.end(), [](const CutPlace& a, const CutPlace& b) { return a.t < b.t; });
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+        std::get<Segment>(pieces[k]).to = cuts[k].through;
+        std::get<Segment>(pieces[k + 1]).from = cuts[k].through;
+    }
+}
+
 std::vector<Curve> cut_open(const Curve& curve, std::vector<double> cuts) {
     cuts.push_back(0);
     cuts.push_back(1);
@@ -143,9 +159,12 @@ std::vector<Curve> cut_open(const Curve& curve, std::vector<double> cuts) {
 }
 
 /// A piece that is cut again is numbered anew: h2F#1 gives h2F#1#0, h2F#1#1.
-void add_pieces(std::vector<SketchPiece>& to, const SketchPiece& entity, const std::vector<double>& cuts) {
+void add_pieces(std::vector<SketchPiece>& to, const SketchPiece& entity, const std::vector<CutPlace>& places) {
     const bool is_turn = is_full_turn(entity.curve);
-    const std::vector<Curve> curves = is_turn ? cut_full_turn(entity.curve, cuts) : cut_open(entity.curve, cuts);
+    std::vector<double> cuts;
+    for (const CutPlace& place : places) cuts.push_back(place.t);
+    std::vector<Curve> curves = is_turn ? cut_full_turn(entity.curve, cuts) : cut_open(entity.curve, cuts);
+    if (entity.slack > 0) pull_onto_ends(places, curves);
     double begin = entity.source_begin;
     if (is_turn) begin += length(entity.curve, 0, *std::min_element(cuts.begin(), cuts.end()));
     for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -212,7 +231,7 @@ bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<in
                         double coincidence, std::vector<Repair>& repairs) {
     Cuts cuts;
     for_all_crossings(entities, among, which, coincidence, [&](std::size_t own, std::size_t other, double t, const Vec2& p) {
-        if (note(cuts, entities[own], own, t, coincidence))
+        if (note(cuts, entities[own], own, t, point(entities[own].curve, t), coincidence))
             repairs.push_back({entities[own].name + " cut where " + entities[other].name + " crosses it", p, 0});
     });
     if (cuts.empty()) return false;

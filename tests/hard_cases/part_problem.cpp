@@ -26,18 +26,13 @@ std::string dirichlet_of(Hold hold) {
     return hold == Hold::structure ? "solution_structure" : "nitsche";
 }
 
-std::string basis_name(solver::Basis basis) {
-    if (basis == solver::Basis::plain) return "plain";
-    return basis == solver::Basis::normalized ? "normalized" : "web";
-}
-
 Scene scene_of(const PartProblem& problem) {
     Scene scene;
     scene.analysis = problem.analysis;
     scene.materials = {problem.material};
     scene.parts = {{"part", problem.part, 0, 1, "/parts/0"}};
     scene.accuracy.degree = problem.degree;
-    scene.accuracy.basis = basis_name(problem.basis);
+    scene.accuracy.basis = name_of(problem.basis);
     scene.accuracy.dirichlet = dirichlet_of(problem.hold);
     if (problem.hold == Hold::dissertation) {
         scene.accuracy.weights = "joined";  // of the whole line where an edge bounds the hull, else nothing that goes on inside
@@ -99,6 +94,11 @@ double smallest_fraction(const PartOnGrid& g) {
 }
 
 }  // namespace
+
+std::string name_of(solver::Basis basis) {
+    if (basis == solver::Basis::plain) return "plain";
+    return basis == solver::Basis::normalized ? "normalized" : "web";
+}
 
 std::string name_of(Hold hold) {
     switch (hold) {

@@ -17,6 +17,7 @@ namespace abut::test {
 /// such an answer has no errors, only a matrix.
 enum class Hold { rigid, nitsche, aligned, structure, dissertation };
 std::string name_of(Hold hold);
+std::string name_of(solver::Basis basis);
 
 struct HeldEdge {
     int edge, component;  ///< of the assembly's axes

@@ -125,11 +125,6 @@ PlotSeries binned(const SweepCurve& curve, double PartAnswer::*value, const std:
     return series;
 }
 
-std::string basis_name(solver::Basis basis) {
-    if (basis == solver::Basis::plain) return "plain";
-    return basis == solver::Basis::normalized ? "normalized" : "web";
-}
-
 PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
     PlotPanel panel{"degree " + std::to_string(degree), {}, {"not factorised:", "not factorised with weights:"}};
     for (const NamedCurve& c : curves) {
@@ -147,7 +142,7 @@ PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
         }
         const double share = static_cast<double>(c.curve.failures()) / static_cast<double>(c.curve.answers.size());
         std::string& note = panel.notes[c.hold == Hold::dissertation ? 1 : 0];
-        note += (note.back() == ':' ? " " : ", ") + basis_name(c.basis) + " " + number_text(100 * share, 2) + " %";
+        note += (note.back() == ':' ? " " : ", ") + test::name_of(c.basis) + " " + number_text(100 * share, 2) + " %";
     }
     std::erase_if(panel.notes, [](const std::string& note) { return note.back() == ':'; });
     return panel;
@@ -172,7 +167,7 @@ void write_sweep(const SweptShape& shape, const std::vector<NamedCurve>& curves)
     for (const NamedCurve& c : curves)
         for (std::size_t k = 0; k < c.curve.answers.size(); ++k) {
             const PartAnswer& a = c.curve.answers[k];
-            table.labels.push_back(basis_name(c.basis) + " " + name_of(c.hold));
+            table.labels.push_back(test::name_of(c.basis) + " " + name_of(c.hold));
             table.rows.push_back({static_cast<double>(c.degree), c.curve.offsets[k].x(), c.curve.offsets[k].y(),
                                   a.smallest_fraction, a.failure.empty() ? 1.0 : 0.0, a.condition, a.unscaled_condition,
                                   a.displacement, a.energy, a.largest_displacement, a.largest_stress, a.largest_raw_stress});

@@ -111,7 +111,7 @@ TEST(SketchDrafting, AnOpenOutlineBesideATextIsNoLeader) {
 }
 
 TEST(SketchDrafting, LinesBesideEachOtherAreNoGapToClose) {
-    const Entities base = drawn_polygon({{-30, -20}, {30, -19.9997}, {30, 0}, {-30, 0}}, "a");
+    const Entities base = drawn_polygon({{-30, -20}, {30, -19.999712345}, {30, 0}, {-30, 0}}, "a");
     const SketchParts sketch =
         parts_with(base + Entities{drawn_line({-10, -20}, {5, -20}, "b")} + drawn_rectangle({50, 0}, {90, 20}, "c"));
     ASSERT_EQ(sketch.problems.size(), 1u);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "geometry/brep/input_error.hpp"
+#include "src/results/model_facts.hpp"
 #include "src/results/result.hpp"
 
 namespace abut::result_difference_test {
