@@ -41,7 +41,8 @@ bool add_tipping_ends(const Scene& scene, const std::vector<Candidate>& candidat
         const auto look_at = [&](double s1, double s2, double cell) {
             const geometry::FacingPair end =
                 pair_from_first(scene.parts[at(c.first)].part, scene.parts[at(c.second)].part, c.zone, s1, s2);
-            const double distance = (end.on1.x - *pivot).norm();
+            // along the contact: the resultant is straight against it, wherever on its line the part turns
+            const double distance = std::abs(geometry::cross(end.on1.x - *pivot, end.normal));
             if (!end.found || distance > cell || distance <= nearest * (knots.back() - knots.front())) return;
             for (const int part : {c.first, c.second})
                 wanted[at(part)].push_back({{end.on1.x}, of_distance * distance, size_growth});
