@@ -25,7 +25,7 @@ inline constexpr double most_sagitta_of_median = 2;
 /// Their points are off the arc by less than this part of what they stand off: a straight side that is as long as the facets
 /// beside it, and tangent to their arc, ends off that by four times its sagitta.
 inline constexpr double points_share = 0.1;
-/// The same where rounding explains it: beside four facets such a side ends off by 0.9 of their sagitta.
+/// Points that rounding puts off their arc may be so by this part: beside four facets such a side ends off by 0.9 of it.
 inline constexpr double rounded_share = 0.4;
 /// Radius of an arc in units of its chord: a flatter one is a line, and its angles carry the points no more.
 inline constexpr double flattest_radius = 1e5;

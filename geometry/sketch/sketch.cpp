@@ -176,15 +176,19 @@ void add_parts(const std::string& group, const GroupOutlines& closed, const Mate
     for (std::size_t r = 0; r < nested.regions.size(); ++r)
         region_parts.push_back(nested.part_of_region[r] < 0 ? -1 : static_cast<int>(found.size()) + nested.part_of_region[r]);
     append(sketch.regions, std::move(nested.regions));
+    std::vector<std::vector<const SketchPiece*>> entities(nested.parts.size());
+    std::vector<std::size_t> n_outer;
     for (std::size_t k = 0; k < nested.parts.size(); ++k) {
-        std::vector<const SketchPiece*> entity;
-        for (const int e : nested.entity[k]) entity.push_back(&closed.outlines.entities[static_cast<std::size_t>(e)]);
+        for (const int e : nested.entity[k]) entities[k].push_back(&closed.outlines.entities[at(e)]);
+        n_outer.push_back(nested.parts[k].loops.front().edges.size());
+    }
+    const std::vector<std::string> layers = group.empty() ? layers_of_parts(entities, n_outer) : std::vector<std::string>();
+    for (std::size_t k = 0; k < nested.parts.size(); ++k) {
         Part& part = nested.parts[k];
-        name_edges(part, entity);
-        entity.resize(part.loops.front().edges.size());
-        part.name = nested.name[k].empty() ? part_name(entity, group) : nested.name[k];
-        found.push_back({std::move(part), group.empty() ? entity.front()->layer : group, entity.front()->line,
-                         static_cast<int>(found.size())});
+        const SketchPiece& first = *entities[k].front();
+        name_edges(part, entities[k]);
+        part.name = nested.name[k].empty() ? part_name(first, group.empty() ? layers[k] : group) : nested.name[k];
+        found.push_back({std::move(part), group.empty() ? layers[k] : group, first.line, static_cast<int>(found.size())});
     }
 }
 
@@ -280,24 +284,6 @@ bool closes_more(const SketchParts& sketch, const SketchParts& other) {
     return sketch.open_length < (1 - same) * other.open_length;
 }
 
-/// Tells which layers' outlines are taken as holes of the largest part's.
-void warn_of_holes(const SketchParts& by_layer, SketchParts& by_loop) {
-    std::size_t largest = 0;
-    for (std::size_t k = 1; k < by_layer.parts.size(); ++k)
-        if (area(by_layer.parts[k]) > area(by_layer.parts[largest])) largest = k;
-    std::set<std::string> others;
-    Vec2 place(0, 0);
-    for (std::size_t k = 0; k < by_layer.parts.size(); ++k)
-        if (by_layer.layers[k] != by_layer.layers[largest] && others.insert(by_layer.layers[k]).second)
-            place = bounding_box(by_layer.parts[k]).center();
-    std::string names;
-    for (const std::string& layer : others) names += (names.empty() ? "" : ", ") + layer;
-    by_loop.warnings.push_back(
-        {"outlines on " + std::string(others.size() > 1 ? "layers " : "layer ") + names +
-             " lie in the material of what is on layer " + by_layer.layers[largest] + ", and are taken as its holes",
-         place, "", 0, "where they are parts, say so: --parts-by layer (in a scene \"parts_by\": \"layer\")"});
-}
-
 /// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
 /// holes of one of them.
 SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
@@ -315,7 +301,6 @@ SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, Ske
                                          : why + ", but not all close without what is on other layers";
     const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
     if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only) {
-        if (are_holes) warn_of_holes(by_layer, by_loop);
         return with_reason(std::move(by_loop), reason);
     }
     return with_reason(std::move(by_layer), why);

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/sketch/sketch_hatches.hpp"
@@ -30,6 +33,7 @@ struct Decision {
     std::vector<SketchProblem>& warnings;
     std::vector<bool> is_strip{}, holds_strip{};  ///< by region: a clearance; directly around one
     std::vector<int> n_faces_at{};                ///< by entity: faces of divided outlines
+    std::set<std::string> outer_layers{};         ///< of outlines that lie in no other
     bool is_all_twice = false;
 
     const SketchPiece& piece(int entity) const { return outlines.entities[at(entity)]; }
@@ -40,6 +44,36 @@ struct Decision {
     }
 
     bool is_inside_material(const Region& region) const { return region.around >= 0 && regions[at(region.around)].is_filled; }
+
+    /// The layers, or the blocks, that an outline is drawn on.
+    std::set<std::string> drawn_on(const Region& region, bool by_block) const {
+        std::set<std::string> all;
+        for (const int e : region.entity) {
+            all.insert(by_block ? piece(e).block : piece(e).layer);
+            if (!by_block) all.insert(piece(e).also_on.begin(), piece(e).also_on.end());
+        }
+        return all;
+    }
+
+    std::string mostly_on(const Region& region, bool by_block) const {
+        std::map<std::string, int> n;
+        for (const int e : region.entity) ++n[by_block ? piece(e).block : piece(e).layer];
+        return std::max_element(n.begin(), n.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+    }
+
+    /// Is an outline inside another one drawn on nothing that the other is drawn on?
+    bool is_foreign(const Region& region, bool by_block) const {
+        if (hints.is_one_part || region.around < 0) return false;
+        const std::set<std::string> around = drawn_on(regions[at(region.around)], by_block);
+        const std::set<std::string> on = drawn_on(region, by_block);
+        return std::none_of(on.begin(), on.end(), [&](const std::string& layer) { return around.contains(layer); });
+    }
+
+    /// Do layers separate the parts: are there outlines of several, and is none of these on the layer of this one?
+    bool is_on_layer_of_its_own(const Region& region) const {
+        const std::set<std::string> on = drawn_on(region, false);
+        return on.size() == 1 && outer_layers.size() > 1 && !outer_layers.contains(*on.begin());
+    }
 
     // ---- areas that share edges ----
 
@@ -153,7 +187,7 @@ struct Decision {
         if (is_twice(region) && !is_all_twice && !hints.is_one_part) return true;
         if (is_strip[at(i)]) return false;
         if (is_inside && holds_strip[at(i)]) region.is_doubtful = true;  // a bush whose fit is drawn once
-        return !is_inside || holds_strip[at(i)];
+        return !is_inside || holds_strip[at(i)] || (is_foreign(region, false) && is_on_layer_of_its_own(region));
     }
 
     void count_faces() {
@@ -173,6 +207,8 @@ struct Decision {
         count_faces();
         find_hatches(points);
         find_strips();
+        for (const Region& region : regions)
+            if (region.around < 0) outer_layers.merge(drawn_on(region, false));
         is_all_twice = std::all_of(regions.begin(), regions.end(), [&](const Region& r) { return is_twice(r); });
         std::vector<int> outermost_first(regions.size());
         std::iota(outermost_first.begin(), outermost_first.end(), 0);
@@ -264,6 +300,41 @@ struct Decision {
                  "\": \"part\"}");
     }
 
+    /// Outlines in material that are drawn on other layers or in other blocks than what they lie in: holes, or parts.
+    void tell_foreign(const std::vector<Vec2>& points) {
+        std::vector<char> holds_part(regions.size(), 0);
+        for (const Region& region : regions)
+            if (region.is_filled && region.around >= 0) holds_part[at(region.around)] = 1;
+        std::map<std::tuple<bool, std::string, std::string>, std::vector<int>>
+            found;  // by what they and their parts are drawn on
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            const Region& own = regions[i];
+            if (own.divided >= 0 || !is_inside_material(own) || is_said(static_cast<int>(i))) continue;
+            if (own.is_filled ? !is_foreign(own, false) : holds_part[i] != 0) continue;
+            for (const bool by_block : {false, true}) {
+                if (!is_foreign(own, by_block)) continue;
+                const std::string of = by_block ? "block " : "layer ", on = mostly_on(own, by_block),
+                                  around = mostly_on(regions[at(own.around)], by_block);
+                if (on.empty()) continue;
+                found[{own.is_filled, of + on, around.empty() ? "no block" : of + around}].push_back(static_cast<int>(i));
+                break;
+            }
+        }
+        for (const auto& [on, outlines_on] : found) {
+            const auto& [are_parts, own, around] = on;
+            for (const int i : outlines_on) regions[at(i)].is_doubtful = true;
+            const bool by_layer = own.starts_with("layer");
+            const std::string is = by_layer ? "on " : "of ", first = name(outlines_on.front());
+            tell(outlines_on.front(),
+                 "outlines " + is + own + " lie in the material of what is " + is + around + ", and are taken as " +
+                     (are_parts ? "parts that fit there: " : "its holes: ") + listed(outlines_on),
+                 points[at(outlines_on.front())],
+                 are_parts ? "where they are holes, say so in the scene: \"regions\": {\"" + first + "\": \"void\"}"
+                           : "where they are parts, say so in the scene: \"regions\": {\"" + first + "\": \"part\"}" +
+                                 (by_layer ? ", or --parts-by layer (\"parts_by\": \"layer\")" : ""));
+        }
+    }
+
     void tell_bushes(const std::vector<Vec2>& points) {
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (holds_strip[i] && regions[i].divided < 0 && regions[i].is_doubtful && regions[i].is_filled)
@@ -284,6 +355,7 @@ std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Ou
     decision.decide(points);
     decision.tell_divided(points);
     decision.tell_floating(points);
+    if (!hints.is_one_part) decision.tell_foreign(points);
     decision.tell_bushes(points);
     std::vector<SketchRegion> named;
     for (std::size_t i = 0; i < regions.size(); ++i)

@@ -31,9 +31,10 @@ struct MaterialHints {
 ///   2. What is hatched is material; what is hatched alike beside it may be the same part (join_regions). A hole of one group
 ///      in which another has its outline is hatched for that.
 ///   3. What is drawn over other outlines is material.
-///   4. An outline inside material is a hole, any other a part. Where it is drawn twice, unless all of them are, there is
-///      material on both sides: a hole, and a part that fits. Inside a hole, a strip between two outlines that is as narrow as
-///      a clearance is one: what is directly around it is a bush then.
+///   4. An outline inside material is a hole, any other a part; so is one on a layer of its own where several other layers hold
+///      what lies in no other outline: layers separate the parts then. Where it is drawn twice, unless all of them are, there
+///      is material on both sides: a hole, and a part that fits. Inside a hole, a strip between two outlines that is as narrow
+///      as a clearance is one: what is directly around it is a bush then.
 ///   5. Areas that share edges are filled as walk_faces says, but for clearances: narrow areas with others on all sides none of
 ///   whose
 ///      edges is drawn twice, and of which some edge is a piece of a line that goes on beyond: nobody drew their outline. A

@@ -49,10 +49,51 @@ std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline) 
     return best->layer;
 }
 
-std::string part_name(const std::vector<const SketchPiece*>& outline, const std::string& group) {
-    const std::string name = group.empty() ? most_frequent_layer(outline) : group;
-    const std::string& instance = outline.front()->instance;
-    return instance.empty() || instance == name ? name : instance + ":" + name;
+namespace {
+
+/// Keeps, of the layers, those that the most of the first n pieces are drawn on.
+void keep_most_frequent(const std::vector<const SketchPiece*>& pieces, std::size_t n, std::vector<std::string>& layers) {
+    std::map<std::string, int> n_edges;
+    for (std::size_t k = 0; k < n; ++k) {
+        ++n_edges[pieces[k]->layer];
+        for (const std::string& layer : pieces[k]->also_on) ++n_edges[layer];
+    }
+    int most = 0;
+    for (const std::string& layer : layers) most = std::max(most, n_edges[layer]);
+    std::erase_if(layers, [&](const std::string& layer) { return n_edges[layer] < most; });
+}
+
+}  // namespace
+
+std::vector<std::string> layers_of_parts(const std::vector<std::vector<const SketchPiece*>>& entities,
+                                         const std::vector<std::size_t>& n_outer) {
+    std::vector<std::vector<std::string>> possible(entities.size());
+    std::set<std::string> taken;
+    for (std::size_t k = 0; k < entities.size(); ++k) {
+        for (std::size_t i = 0; i < n_outer[k]; ++i) {
+            const SketchPiece& piece = *entities[k][i];
+            possible[k].push_back(piece.layer);
+            possible[k].insert(possible[k].end(), piece.also_on.begin(), piece.also_on.end());
+        }
+        keep_most_frequent(entities[k], n_outer[k], possible[k]);
+        const bool is_shared = std::any_of(entities[k].begin(), entities[k].begin() + static_cast<std::ptrdiff_t>(n_outer[k]),
+                                           [](const SketchPiece* piece) { return !piece->also_on.empty(); });
+        if (is_shared) keep_most_frequent(entities[k], entities[k].size(), possible[k]);
+        possible[k].erase(std::unique(possible[k].begin(), possible[k].end()), possible[k].end());
+        if (possible[k].size() == 1) taken.insert(possible[k].front());
+    }
+    std::vector<std::string> layers;
+    for (const std::vector<std::string>& own : possible) {
+        const auto free =
+            std::find_if(own.begin(), own.end(), [&](const std::string& layer) { return !taken.contains(layer); });
+        layers.push_back(own.size() == 1 || free == own.end() ? own.front() : *free);
+        taken.insert(layers.back());
+    }
+    return layers;
+}
+
+std::string part_name(const SketchPiece& first, const std::string& group_or_layer) {
+    return first.instance.empty() || first.instance == group_or_layer ? group_or_layer : first.instance + ":" + group_or_layer;
 }
 
 void name_edges(Part& part, const std::vector<const SketchPiece*>& entity) {

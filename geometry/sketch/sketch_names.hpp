@@ -18,10 +18,15 @@ std::string block_hint(const SketchPiece& entity);
 /// The layer that most of the entities are on; of several the first one's.
 std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline);
 
-/// What a part is called before parts of one name are numbered: the name of its group, or the layer that most of its outer
-/// edges are on where `group` is empty; after "PIN#1:" where its outline lies in that insertion of a block and the group's name
-/// does not say so. `outline`: the entities of its outer loop, the first of the file first.
-std::string part_name(const std::vector<const SketchPiece*>& outline, const std::string& group);
+/// The layer of each of several parts: that which most of its outer edges are drawn on, or where that leaves several, most of
+/// all its edges, or one that is no other part's yet; else the first. An edge that is drawn on several is on each of them.
+/// entities: by part and edge; n_outer: by part, its outer edges, the first of all.
+std::vector<std::string> layers_of_parts(const std::vector<std::vector<const SketchPiece*>>& entities,
+                                         const std::vector<std::size_t>& n_outer);
+
+/// What a part is called before parts of one name are numbered: the name of its group or layer; after "PIN#1:" where its
+/// outline lies in that insertion of a block and the name does not say so. first: the first entity of its outer loop.
+std::string part_name(const SketchPiece& first, const std::string& group_or_layer);
 
 /// Edges are named after their entities. Pieces of one that was cut are `h2F#0`, `h2F#1`, ... along it, those of this part
 /// counted; what comes from another insertion of a block than the outline is `PIN#1:h2F`. No two edges have one name.

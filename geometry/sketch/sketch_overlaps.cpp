@@ -54,6 +54,7 @@ bool merge_twins(std::vector<SketchPiece>& entities, std::size_t j, std::size_t 
     is_gone[j] = is_there_and_back(entities[i], entities[j]);
     repairs.push_back(is_gone[j] ? removal_of_both(entities[i], entities[j]) : removal(entities[i], entities[j]));
     entities[j].times_drawn += entities[i].times_drawn;
+    if (entities[i].layer != entities[j].layer) entities[j].also_on.push_back(entities[i].layer);
     entities[j].of.insert(entities[j].of.end(), entities[i].of.begin(), entities[i].of.end());
     entities[j].whole_length = std::max(entities[j].whole_length, entities[i].whole_length);
     return true;

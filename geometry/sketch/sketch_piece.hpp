@@ -19,6 +19,7 @@ struct SketchPiece : SketchEntity {
     /// How far beside a line that it was meant to be on it may be written: twice the rounding of its coordinates' last digit.
     /// Nothing of lines along an axis, which stay on each other, and of others.
     double slack = 0;
+    std::vector<std::string> also_on{};  ///< other layers that it was drawn on, too
 };
 
 inline double largest_slack(const std::vector<SketchPiece>& entities) {

@@ -81,6 +81,44 @@ TEST(SketchGrouping, ByLoopWhereALayerOnlyHoldsHoles) {
     }
 }
 
+bool warns(const SketchParts& sketch, const std::string& piece) {
+    return std::any_of(sketch.warnings.begin(), sketch.warnings.end(),
+                       [&](const SketchProblem& w) { return says(w.what, piece); });
+}
+
+/// A post on the square, whose side it shares: layers do not close by themselves, and separate the parts all the same.
+Entities square_with_post() {
+    Entities post = drawn_rectangle({2, 10}, {8, 30}, "p", "B");
+    post.erase(post.begin());
+    return square + post;
+}
+
+TEST(SketchGrouping, APinOnALayerOfItsOwnIsAPartWhereLayersSeparateParts) {
+    const Entities pin{drawn_circle({5, 20}, 1, "c", "PIN")};
+    const SketchParts sketch = parts_by(square_with_post() + pin, PartsBy::automatic);
+    EXPECT_EQ(sketch.parts_by, PartsBy::loop);
+    EXPECT_EQ(part_names(sketch), (Names{"A", "B", "PIN"}));
+    EXPECT_NEAR(total_area(sketch), 100 + 120, 1e-9);
+    EXPECT_TRUE(
+        warns(sketch, "outlines on layer PIN lie in the material of what is on layer B, and are taken as parts that fit"));
+    // where it is in a block, or on a layer of holes of one part alone, it is a hole, and that is told
+    const SketchParts hole =
+        parts_by(square + in_block(Entities{drawn_circle({5, 5}, 2, "c", "A")}, "PIN"), PartsBy::automatic);
+    EXPECT_EQ(part_names(hole), (Names{"A"}));
+    EXPECT_TRUE(warns(hole, "outlines of block PIN lie in the material of what is of no block, and are taken as its holes"));
+}
+
+TEST(SketchGrouping, WhatIsDrawnOnTwoLayersIsAPartOnEither) {
+    const Entities fits{drawn_circle({5, 20}, 2, "h", "B"), drawn_circle({5, 20}, 2, "b0", "BUSH"),
+                        drawn_circle({5, 20}, 1, "b1", "BUSH"), drawn_circle({5, 20}, 1, "p", "PIN")};
+    const SketchParts sketch = parts_by(square_with_post() + fits, PartsBy::automatic);
+    EXPECT_EQ(sketch.parts_by, PartsBy::loop);
+    EXPECT_EQ(part_names(sketch), (Names{"A", "B", "BUSH", "PIN"}));
+    EXPECT_EQ(sketch.layers, (Names{"A", "B", "BUSH", "PIN"}));
+    EXPECT_NEAR(area(sketch.parts[2]), 3 * pi, 1e-9);
+    EXPECT_FALSE(warns(sketch, "lie in the material"));
+}
+
 TEST(SketchGrouping, PartsThatAreDrawnThroughOthersStayParts) {
     // a pin without a bore to hold it: with a third part it is an assembly, and the overlap is for the user to see
     const Entities pin{drawn_circle({5, 5}, 2, "p", "PIN")};

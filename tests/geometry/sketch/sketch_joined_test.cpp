@@ -177,7 +177,7 @@ TEST(SketchJoined, LayersSeparateWhateverIsHatched) {
 
 TEST(SketchJoined, AHoleIsHatchedForThePinOfAnotherLayer) {
     for (const double radius : {4.99, 5.0, 5.01}) {
-        Hatch hatch{{{Arc{{10, 10}, radius, 0, 2 * std::numbers::pi}}}, plain};
+        Hatch hatch{{{Arc{{10, 10}, radius, 0, 2 * std::numbers::pi}}}, plain, {}};
         Entities lines = drawn_rectangle({0, 0}, {20, 20}, "a", "A") +
                          Entities{drawn_circle({10, 10}, 5, "h", "A"), drawn_circle({10, 10}, radius, "p", "B")};
         EXPECT_EQ(part_names(parts_with(lines, {hatch})), (std::vector<std::string>{"A", "B"})) << radius;
