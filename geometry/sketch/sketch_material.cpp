@@ -12,6 +12,7 @@
 
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/sketch/sketch_hatches.hpp"
+#include "geometry/sketch/sketch_names.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -252,7 +253,8 @@ struct Decision {
             const std::string& layer = piece(outlines.divided[d].contour.front().entity).layer;
             const std::string hint = "where that is wrong, say so in the scene: \"regions\": {\"" +
                                      name(open.empty() ? (filled.empty() ? 0 : filled.front()) : open.front()) +
-                                     (open.empty() ? "\": \"void\"}" : "\": \"part\"}");
+                                     (open.empty() ? "\": \"void\"}" : "\": \"part\"}") +
+                                     block_hint(piece(outlines.divided[d].contour.front().entity));
             if (!open.empty())
                 tell(open.front(),
                      "areas on layer " + layer + " that other outlines enclose are taken as empty: " + listed(open),
