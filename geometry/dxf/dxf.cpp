@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drawing out of a DXF file, in steps: groups (dxf_groups, dxf_binary), sections and records (dxf_prepass), what is drawn and
-// where (dxf_ignored, dxf_blocks, dxf_inserts, dxf_placement), curves (dxf_entities, dxf_splines).
+// where (dxf_ignored, dxf_blocks, dxf_inserts, dxf_placement), curves (dxf_entities, dxf_splines); what dimensions say beside
+// it (dxf_dimensions).
 #include "geometry/dxf/dxf.hpp"
 
 #include "geometry/dxf/dxf_blocks.hpp"
+#include "geometry/dxf/dxf_dimensions.hpp"
 #include "geometry/dxf/dxf_prepass.hpp"
 
 namespace abut::geometry {
@@ -38,6 +40,7 @@ Drawing drawing_of(const dxf::Structure& structure, const LayerFilter& layers) {
     drawing.unit = unit_of(structure);
     drawing.warnings = structure.warnings;
     dxf::add_model_space(structure, layers, drawing);
+    dxf::tell_other_dimensions(structure, drawing);
     return drawing;
 }
 

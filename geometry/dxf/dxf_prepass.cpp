@@ -115,6 +115,7 @@ void take_header(Structure& structure, const Section& section) {
 void take_layers(Structure& structure, const Section& section) {
     for (const Record& record : section.records) {
         if (record.type == "LTYPE" && record.integer(73, 0) > 0) structure.interrupted.insert(upper_case(record.text(2)));
+        if (record.type == "DIMSTYLE") structure.dimension_factors.emplace(upper_case(record.text(2)), record.number(144, 1));
         if (record.type != "LAYER") continue;
         Layer layer;
         const int color = record.integer(62, 7);

@@ -44,14 +44,15 @@ struct Block {
 
 /// A DXF file taken apart into records; it can be moved and not copied, since records point into it.
 struct Structure {
-    Groups groups;                                  ///< what the records point to
-    std::map<std::string, std::string> header;      ///< first value of each variable: "$INSUNITS" -> "4"
-    std::map<std::string, Layer> layers;            ///< by upper-case name: layer names are compared without regard to case
-    std::set<std::string> interrupted;              ///< upper-case names of line types that have gaps
-    std::map<std::string, Block> blocks;            ///< by upper-case name
-    std::vector<std::vector<Record>> sections;      ///< the records of BLOCKS and ENTITIES, in the file's order
-    std::vector<std::span<const Record>> entities;  ///< of each section ENTITIES
-    std::vector<SketchProblem> warnings;            ///< what is out of place in the file
+    Groups groups;                                    ///< what the records point to
+    std::map<std::string, std::string> header;        ///< first value of each variable: "$INSUNITS" -> "4"
+    std::map<std::string, Layer> layers;              ///< by upper-case name: layer names are compared without regard to case
+    std::set<std::string> interrupted;                ///< upper-case names of line types that have gaps
+    std::map<std::string, double> dimension_factors;  ///< DIMLFAC by upper-case name of the dimension style
+    std::map<std::string, Block> blocks;              ///< by upper-case name
+    std::vector<std::vector<Record>> sections;        ///< the records of BLOCKS and ENTITIES, in the file's order
+    std::vector<std::span<const Record>> entities;    ///< of each section ENTITIES
+    std::vector<SketchProblem> warnings;              ///< what is out of place in the file
 
     Structure() = default;
     Structure(Structure&&) = default;
