@@ -17,6 +17,7 @@
 #include "solver/contact/neutral_motions.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/nonnegative.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
@@ -340,6 +341,13 @@ bool acts_beside(const MotionSplit& split, const VectorXd& load) {
     return left.norm() > rounding * load.norm();
 }
 
+/// As drops_imbalance says.
+void drop_imbalance(ContactQp& qp) {
+    if (qp.modes.cols() == 0 || !qp.friction.empty()) return;
+    const NonnegativeResult balance = nonnegative_least_squares(qp.modes.transpose(), -qp.mode_load, qp.unilateral);
+    if (balance.residual.norm() <= neutral_work_fraction * qp.load_scale) qp.mode_load += balance.residual;
+}
+
 /// start: amplitudes, as of `solve_held`.
 Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance,
                     const VectorXd& start, int threads) {
@@ -352,6 +360,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     qp.foundation = all.foundation;
     qp.expected = all.expected;
     qp.friction = all.friction;
+    if (problem.drops_imbalance) drop_imbalance(qp);
     solution.seconds.condensation = laps.lap();
 
     const MotionSplit split = split_motions(problem, resistance, qp.modes);

@@ -56,6 +56,10 @@ struct AssemblyProblem {
     /// What the increments of friction may change pressures and tractions by in all, see follow_path; empty: the loads are put
     /// on at once.
     std::optional<double> path_tolerance{};
+    /// Leave out what contact cannot balance of the loads, where that is no more than outlines are inclined by
+    /// (`neutral_work_fraction`), and nothing has friction: parts side by side on a slope that the loads press straight against
+    /// are driven by the rounding of their coordinates.
+    bool drops_imbalance = false;
     /// `amplitudes` of a solution of the same parts under other rows, which the search begins from; empty: none. Speed only.
     std::vector<Eigen::VectorXd> near;
     /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of

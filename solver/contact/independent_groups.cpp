@@ -52,6 +52,7 @@ struct Mover {
             own.load_scale = std::max(own.load_scale, whole.part_load[at(part)]);
             own.path_tolerance = whole.path_tolerance;
             own.is_way_before_broken = whole.is_way_before_broken;
+            own.drops_imbalance = whole.drops_imbalance;
             if (!whole.before.empty()) own.before.push_back(whole.before[at(part)]);
             if (!whole.near.empty()) own.near.push_back(whole.near[at(part)]);
         }

@@ -128,7 +128,8 @@ bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& re
 void tell_neutral_motions(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     std::map<std::string, Finding> findings;  // by motion: each once
     for (const solver::PartMotion& m : solved.solution.neutral) {
-        const std::string text = motion_text(scene, solved, m);
+        const solver::PartMotion back{m.part, {-m.motion.translation, -m.motion.rotation, m.motion.center}};
+        const std::string text = std::max(motion_text(scene, solved, m), motion_text(scene, solved, back));  // to either side
         findings[text] = {0, text, "nothing holds a motion that no load drives (the answer of least motion is given): " + text};
     }
     remark(values_of(findings), result);

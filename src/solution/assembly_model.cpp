@@ -261,6 +261,18 @@ void add_solution_uses(const Scene& scene, const solver::SolveSeconds& s, Solved
     solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
 }
 
+/// Does a part go farther than it is large, or where nothing holds it?
+bool goes_astray(const SolvedAssembly& solved) {
+    if (!solved.solution.mechanism.empty()) return true;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const PartOnGrid& g = solved.grids[k];
+        if (!solved.problem.parts[k].free_motions.empty() && !g.is_rigid &&
+            solver::largest_displacement(g.input, solved.solution.displacement[k]) > g.size)
+            return true;
+    }
+    return false;
+}
+
 /// Displacements, pressures and stretches of contact, on systems that are factorised.
 void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
@@ -268,6 +280,14 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
         tighten(scene, solved, threads);
         if (!solved.failure.empty()) return;
         solved.solution = solve_groups(solved.problem, threads);
+        const auto has_friction = [](const solver::Interface& face) { return face.friction.has_value(); };
+        if (std::none_of(solved.problem.interfaces.begin(), solved.problem.interfaces.end(), has_friction) &&
+            goes_astray(solved)) {
+            solved.problem.drops_imbalance = true;
+            solver::AssemblySolution again = solve_groups(solved.problem, threads);
+            std::swap(again, solved.solution);
+            if (goes_astray(solved)) std::swap(again, solved.solution);
+        }
     }
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(scene, solved.solution.seconds, solved);

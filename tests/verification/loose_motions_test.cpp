@@ -131,5 +131,30 @@ TEST(LooseMotions, WhatGrowsUntilItTouchesSticksWhereItWasUntilThen) {
     }
 }
 
+/// Two blocks side by side on a slope, pressed straight against it: what rounding of their coordinates leaves along it drives
+/// nothing.
+TEST(LooseMotions, RoundingOfASlopeDrivesNothing) {
+    for (const double degrees : {7.0, 30.0, 47.0, 61.0})
+        for (const double digits : {1e7, 1e8, 1e9}) {
+            const auto at = [&](double x, double y) {
+                const double a = degrees * 3.141592653589793 / 180, c = std::cos(a), s = std::sin(a);
+                return test::pair_text(std::round((c * x - s * y) * digits) / digits,
+                                       std::round((s * x + c * y) * digits) / digits);
+            };
+            const auto block = [&](const char* name, double x0, double y0, double x1, double y1) {
+                return R"({"name": ")" + std::string(name) + R"(", "material": "m", "geometry": {"polygon": [)" + at(x0, y0) +
+                       ", " + at(x1, y0) + ", " + at(x1, y1) + ", " + at(x0, y1) + "]}}";
+            };
+            const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)" +
+                                          block("A", 0, 0, 100, 20) + ", " + block("B", 10.3, 20, 54.7, 45) + ", " +
+                                          block("C", 54.7, 20, 76.1, 45) +
+                                          R"(], "supports": [{"on": "A/e0", "fix": ["x", "y"]}],
+                "loads": [{"on": ["B/e2", "C/e2"], "pressure": 5}]})");
+            ASSERT_EQ(r.status, "ok") << degrees << " " << digits << r.message;
+            EXPECT_NEAR(r.contacts.at(0).force.norm(), 5 * 44.4, 1e-4) << degrees << " " << digits;
+            EXPECT_TRUE(is_told(r, "B") || is_told(r, "C")) << degrees << " " << digits;
+        }
+}
+
 }  // namespace
 }  // namespace abut::loose_motions_test
