@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -25,9 +26,10 @@ struct Dimension {
     bool is_other() const { return std::abs(said - drawn) > std::max(1.01 * rounding, same_share * drawn); }
 };
 
-/// Dimensions in another unit than the drawing are no scale: metres and centimetres or millimetres, inches and millimetres.
+/// Dimensions in another unit than the drawing are no scale: metres and centimetres or millimetres, inches
+/// or feet and millimetres.
 bool is_of_units(double factor) {
-    constexpr std::array units{25.4, 100.0, 1000.0};
+    constexpr std::array units{25.4, 304.8, 100.0, 1000.0};
     return std::any_of(units.begin(), units.end(), [&](double unit) {
         return std::abs(factor / unit - 1) <= same_share || std::abs(factor * unit - 1) <= same_share;
     });
@@ -37,19 +39,43 @@ struct Said {
     double value, rounding;
 };
 
-/// A text that is a number, perhaps with a tolerance or a fit behind it ("100", "(12,5)", "40 H7", "100%%p0.1"); nothing else.
+/// The text without its format: {...}, \\H0.7x;, \\A1;, blanks at its ends.
+std::string plain(const std::string& text) {
+    std::string out;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '\\') {
+            const std::size_t end = text.find(';', k);
+            if (end == std::string::npos) return {};
+            k = end;
+        } else if (text[k] != '{' && text[k] != '}' && text[k] != '(' && text[k] != ')') {
+            out += text[k];
+        }
+    }
+    const std::size_t begin = out.find_first_not_of(' ');
+    return begin == std::string::npos ? "" : out.substr(begin, out.find_last_not_of(' ') - begin + 1);
+}
+
+/// What a text says that is a number, perhaps with a unit, a tolerance or a fit behind it ("100", "12,5", "40 H7",
+/// "100%%p0.1"); nothing of others, and of numbers that can be read in two ways ("1,500").
 std::optional<Said> number_in(std::string text) {
-    std::erase_if(text, [](char c) { return c == '(' || c == ')' || c == ' '; });
     std::replace(text.begin(), text.end(), ',', '.');
     const std::size_t end = text.find_first_not_of("0123456789.");
-    const std::string digits = text.substr(0, end), rest = end == std::string::npos ? "" : text.substr(end);
-    const bool is_followed_well = rest.empty() || rest.starts_with("%%p") || rest.starts_with("\u00b1") ||
-                                  (rest.size() > 1 && std::isalpha(static_cast<unsigned char>(rest[0])) != 0 &&
-                                   std::isdigit(static_cast<unsigned char>(rest[1])) != 0 && rest[0] != 'x' && rest[0] != 'X');
+    const std::string digits = text.substr(0, end);
+    std::string rest = end == std::string::npos ? "" : text.substr(end);
+    rest.erase(0, std::min(rest.find_first_not_of(' '), rest.size()));
+    const auto is = [&](std::size_t k, auto&& what) {
+        return k < rest.size() && what(static_cast<unsigned char>(rest[k])) != 0;
+    };
+    const bool is_fit = is(0, [](int c) { return std::isalpha(c); }) && is(1, [](int c) { return std::isdigit(c); }) &&
+                        rest[0] != 'x' && rest[0] != 'X';
+    const bool is_followed_well = rest.empty() || rest == "mm" || rest.starts_with("%%p") || rest.starts_with("\u00b1") ||
+                                  rest.starts_with("+") || rest.starts_with("-") || is_fit;
     double value = 0;
     if (digits.empty() || !is_followed_well || !parse_number(digits, value)) return std::nullopt;
     const std::size_t point = digits.find('.');
     const int decimals = point == std::string::npos ? 0 : static_cast<int>(digits.size() - point) - 1;
+    if (decimals == 3 && text.find('.') != std::string::npos && value >= 1 && value == std::floor(value * 10) / 10)
+        return std::nullopt;
     return Said{value, 0.5 * std::pow(10.0, -decimals)};
 }
 
@@ -82,14 +108,16 @@ std::optional<Dimension> dimension_of(const Structure& structure, const Record& 
     d.at = 0.5 * (a + b);
     d.line = record.line;
     if (!std::isfinite(d.drawn) || !(d.drawn > 0)) return std::nullopt;
-    const std::string text = record.text(1);
+    const std::string text = plain(record.text(1));
+    if (text.empty() && !record.text(1).empty()) return std::nullopt;
     if (text.empty() || text == "<>") {
         d.said = d.drawn * factor_of(structure, record);
         return d;
     }
     std::string number = text;
     if (kind == radius && (number.starts_with("R") || number.starts_with("r"))) number.erase(0, 1);
-    if (kind == diameter && number.starts_with("%%c")) number.erase(0, 3);
+    for (const std::string sign : {"%%c", "\u00d8", "\u2300"})
+        if (kind == diameter && number.starts_with(sign)) number.erase(0, sign.size());
     const std::optional<Said> said = number_in(number);
     if (!said || said->value == 0) return std::nullopt;
     d.said = said->value;

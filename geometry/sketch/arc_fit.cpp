@@ -47,6 +47,10 @@ std::optional<FittedPiece> line_through(const PolylineWalk& p, std::size_t i, st
 
 // ---- arcs ----
 
+/// Points written with a few digits, in units of their rounding: off the arc through two of them, or off the best circle of
+/// all; and facets that stand off by no more than that.
+constexpr double arc_of_written = 2, circle_of_written = 1.2, facets_of_written = 4;
+
 /// Angle from first to last, seen from the centre, over all the points between; nothing if they turn back or too far at once.
 std::optional<double> sweep_about(const PolylineWalk& p, std::size_t i, std::size_t j, const Vec2& center) {
     double sweep = 0;
@@ -95,7 +99,7 @@ std::vector<double> sagittas(const PolylineWalk& p, std::size_t i, std::size_t j
 bool are_sides_of_arc(const PolylineWalk& p, std::size_t i, std::size_t j, double radius, double residual, double tolerance) {
     std::vector<double> of_facets = sagittas(p, i, j, radius);
     const double largest = *std::max_element(of_facets.begin(), of_facets.end());
-    if (largest + residual <= tolerance) return true;
+    if (largest + residual <= std::max(tolerance, facets_of_written * p.written)) return true;
     const auto middle = of_facets.begin() + static_cast<std::ptrdiff_t>((of_facets.size() - 1) / 2);
     std::nth_element(of_facets.begin(), middle, of_facets.end());
     const double explained = std::min(2 * p.written, rounded_share * largest);
@@ -124,7 +128,7 @@ std::optional<FittedPiece> arc_through_points(const PolylineWalk& p, std::size_t
     const Vec2 center = middle + h * n;
     if (!(std::abs(h) <= flattest_radius * chord.norm())) return std::nullopt;
     const double residual = largest_miss(p, i, j, center, (p[i] - center).norm());
-    if (!(residual <= tolerance)) return std::nullopt;
+    if (!(residual <= std::max(tolerance, arc_of_written * p.written))) return std::nullopt;
     const auto sweep = sweep_about(p, i, j, center);
     if (!sweep || std::abs(*sweep) >= two_pi) return std::nullopt;
     return FittedPiece{arc_from(center, p[i], *sweep), p.index(i), p.index(j), residual};
@@ -175,7 +179,9 @@ std::optional<FittedPiece> full_circle(const std::vector<Vec2>& points, double t
     for (const Vec2& q : points) radius += (q - *center).norm() / static_cast<double>(n);
     if (written > 0) take_written(p, n, written, *center, radius);
     const double residual = largest_miss(p, 0, n, *center, radius);
-    if (!(residual <= tolerance) || !are_sides_of_arc(p, 0, n, radius, residual, tolerance)) return std::nullopt;
+    if (!(residual <= std::max(tolerance, circle_of_written * written)) ||
+        !are_sides_of_arc(p, 0, n, radius, residual, tolerance))
+        return std::nullopt;
     const auto sweep = sweep_about(p, 0, n, *center);
     // All facets turn one way: their sum is one turn, or more of a polyline that runs around several times.
     if (!sweep || std::abs(*sweep) > 1.5 * two_pi) return std::nullopt;

@@ -109,6 +109,7 @@ struct GroupOutlines {
 
 void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch) {
     group.largest_tolerance = std::max(group.largest_tolerance, closed.tolerance);
+    sketch.merged = std::max(sketch.merged, closed.coincidence);
     if (!closed.outlines.closed.empty() || !closed.outlines.divided.empty()) {
         group.tolerance = std::max(group.tolerance, closed.tolerance);
         group.coincidence = std::min(group.coincidence, closed.coincidence);
@@ -120,43 +121,34 @@ void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch
     sketch.open_length += closed.open_length;
 }
 
-/// What closes; where lines share areas and cross, with all that lies within the joining tolerance taken for one, if that
-/// leaves no problem. Where outlines are open that would close clearances.
-ClosedOutlines closed(const std::vector<SketchEntity>& entities, MendedLines mended, const SketchOptions& options,
-                      double rounding) {
-    ClosedOutlines found = close_outlines(std::move(mended), options);
-    const bool do_cross = found.crossings > 0 && found.crossings == found.problems.size();
-    if (!do_cross || found.tolerance <= found.coincidence) return found;
-    ClosedOutlines rough = close_outlines(mended_lines(entities, options, rounding, Mending::rough), options);
-    if (!rough.problems.empty()) return found;
-    const SketchProblem& solved = found.problems.front();
-    rough.warnings.push_back({"lines less than " + number_text(rough.coincidence) +
-                                  " apart are taken as one, since areas do not come out otherwise: " + solved.what,
-                              solved.at, solved.entity, solved.line,
-                              "draw ends on each other, or give a smaller tolerance to keep what is drawn apart"});
-    return rough;
-}
+/// How a drawing's lines are mended.
+struct MendingAs {
+    SketchOptions options;
+    Precision precision;
+    Mending how = Mending::usual;
+};
 
-ClosedOutlines closed(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
-    return closed(entities, mended_lines(entities, options, rounding, Mending::usual), options, rounding);
+ClosedOutlines closed(const std::vector<SketchEntity>& entities, const MendingAs& as) {
+    return close_outlines(mended_lines(entities, as.options, as.precision, as.how), as.options);
 }
 
 /// An insertion of a block that does not close by itself is a portion of something larger. `mended`: the whole group; null
 /// where that is not known.
-GroupOutlines close_group(const EntityGroup& group, const MendedLines* mended, const SketchOptions& options, double rounding,
-                          SketchParts& sketch) {
+GroupOutlines close_group(const EntityGroup& group, const MendedLines* mended, const MendingAs& as, SketchParts& sketch) {
     GroupOutlines found;
     std::vector<std::vector<SketchEntity>> instances = by_instance(group.entities);
     std::vector<SketchEntity> rest = std::move(instances.front());
     for (std::size_t k = 1; k < instances.size(); ++k) {
-        ClosedOutlines own = closed(instances[k], options, rounding);
+        ClosedOutlines own = closed(instances[k], as);
         if (own.problems.empty() && own.open_length == 0)
             add_closed(found, std::move(own), sketch);
         else
             append(rest, std::move(instances[k]));
     }
-    const bool is_known = mended && instances.size() == 1 && mended->tolerances.rounding == rounding;
-    add_closed(found, is_known ? closed(rest, *mended, options, rounding) : closed(rest, options, rounding), sketch);
+    const bool is_known = mended && instances.size() == 1 && as.how == Mending::usual &&
+                          mended->tolerances.rounding == as.precision.rounding &&
+                          mended->tolerances.written == as.precision.written;
+    add_closed(found, is_known ? close_outlines(*mended, as.options) : closed(rest, as), sketch);
     return found;
 }
 
@@ -171,6 +163,7 @@ struct FoundPart {
 void add_parts(const std::string& group, const GroupOutlines& closed, const MaterialHints& hints, SketchParts& sketch,
                std::vector<FoundPart>& found, std::vector<int>& region_parts) {
     NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence, hints);
+    for (SketchProblem& problem : nested.problems) problem.is_crossing = true;
     append(sketch.problems, std::move(nested.problems));
     append(sketch.warnings, std::move(nested.warnings));
     for (std::size_t r = 0; r < nested.regions.size(); ++r)
@@ -217,11 +210,11 @@ std::vector<Hatch> hatches_of(const EntityGroup& group, const std::vector<Entity
     return hatches;
 }
 
-SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, PartsBy parts_by) {
+SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, PartsBy parts_by, Mending how) {
     const Drawing& drawing = lines.drawing;
     const Box2 box = box_of(drawing.entities);
     const Vec2 origin = local_origin(box);
-    const double rounding = rounding_fraction * std::max(box.diagonal(), largest_coordinate(box));
+    const MendingAs as{options, precision_of(drawing.entities, std::max(box.diagonal(), largest_coordinate(box))), how};
     SketchParts sketch;
     sketch.parts_by = parts_by;
     std::vector<FoundPart> found;
@@ -232,7 +225,7 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
     std::vector<GroupOutlines> closed;
     std::vector<std::vector<Region>> of_groups;
     for (const EntityGroup& group : groups) {
-        closed.push_back(close_group(group, mended, options, rounding, sketch));
+        closed.push_back(close_group(group, mended, as, sketch));
         sketch.tolerance = std::max(sketch.tolerance, closed.back().largest_tolerance);
         if (!hatches.empty() && groups.size() > 1) of_groups.push_back(regions_inside(closed.back().outlines));
     }
@@ -240,8 +233,9 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
         const std::string& name = groups[g].name;
         const int first_number = static_cast<int>(sketch.regions.size()) + 1;
         const std::vector<Hatch> own = hatches_of(groups[g], groups, hatches);
-        add_parts(name, closed[g], {own, options.regions, first_number, !name.empty(), of_groups, g}, sketch, found,
-                  region_parts);
+        add_parts(name, closed[g],
+                  {own, options.regions, first_number, !name.empty(), options.parts_by == PartsBy::automatic, of_groups, g},
+                  sketch, found, region_parts);
     }
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
@@ -256,6 +250,22 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
         if (region_parts[r] >= 0) sketch.regions[r].part = sketch.parts[place[at(region_parts[r])]].name;
     move(sketch, origin);
     return sketch;
+}
+
+/// Where lines or outlines cross: with all that lies within joining_fraction, or the coordinates' digits, taken for one,
+/// if that leaves no problem. Where outlines are open that would close clearances.
+SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, PartsBy parts_by) {
+    SketchParts usual = sketch_by(lines, options, parts_by, Mending::usual);
+    const auto is_crossing = [](const SketchProblem& problem) { return problem.is_crossing; };
+    if (usual.problems.empty() || !std::all_of(usual.problems.begin(), usual.problems.end(), is_crossing)) return usual;
+    SketchParts rough = sketch_by(lines, options, parts_by, Mending::rough);
+    if (!rough.problems.empty()) return usual;
+    const SketchProblem& solved = usual.problems.front();
+    rough.warnings.push_back({"lines less than " + number_text(rough.merged) +
+                                  " apart are taken as one, since areas do not come out otherwise: " + solved.what,
+                              solved.at, solved.entity, solved.line,
+                              "draw ends on each other, or give a smaller tolerance to keep what is drawn apart"});
+    return rough;
 }
 
 SketchParts with_reason(SketchParts sketch, const std::string& why) {

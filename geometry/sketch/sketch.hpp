@@ -44,6 +44,7 @@ struct SketchProblem {
     std::string entity;
     int line = 0;
     std::string hint;
+    bool is_crossing = false;  ///< of lines or outlines that cross or touch
 };
 
 /// A text of a drawing: it tells balloons, leaders and tables from parts.
@@ -138,6 +139,7 @@ struct SketchParts {
     std::vector<SketchRegion> regions;
     double open_length = 0;  ///< of all lines that were set aside since they bound nothing
     double tolerance = 0;    ///< the largest that was used
+    double merged = 0;       ///< curves nearer than this were taken for one, at most
 };
 
 /// Joins the entities of each group into closed outlines and sorts them by nesting into parts: one part per outer outline.

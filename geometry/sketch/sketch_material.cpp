@@ -2,6 +2,7 @@
 #include "geometry/sketch/sketch_material.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -27,14 +28,24 @@ bool is_region_name(const std::string& text) {
     return text.size() > 1 && text[0] == 'r' && text.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
+/// Does the name of a layer or block say that it holds holes?
+bool says_holes(const std::string& name) {
+    constexpr std::array words{"hole",   "bohr", "bore", "drill",  "loch",   "cut",     "ausschnitt", "gewinde",
+                               "thread", "tap",  "slot", "pocket", "tasche", "percage", "trou",       "foro"};
+    std::string lower;
+    for (const char c : name) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return lower.find(word) != std::string::npos; });
+}
+
 struct Decision {
     std::vector<Region>& regions;
     const Outlines& outlines;
     const MaterialHints& hints;
     std::vector<SketchProblem>& warnings;
-    std::vector<bool> is_strip{}, holds_strip{};  ///< by region: a clearance; directly around one
-    std::vector<int> n_faces_at{};                ///< by entity: faces of divided outlines
-    std::set<std::string> outer_layers{};         ///< of outlines that lie in no other
+    std::vector<bool> is_strip{}, holds_strip{};                   ///< by region: a clearance; directly around one
+    std::vector<int> n_faces_at{};                                 ///< by entity: faces of divided outlines
+    std::array<std::vector<std::set<std::string>>, 2> drawn_on{};  ///< by region: layers, blocks
+    std::set<std::string> outer_layers{};                          ///< of outlines that lie in no other
     bool is_all_twice = false;
 
     const SketchPiece& piece(int entity) const { return outlines.entities[at(entity)]; }
@@ -46,14 +57,16 @@ struct Decision {
 
     bool is_inside_material(const Region& region) const { return region.around >= 0 && regions[at(region.around)].is_filled; }
 
-    /// The layers, or the blocks, that an outline is drawn on.
-    std::set<std::string> drawn_on(const Region& region, bool by_block) const {
-        std::set<std::string> all;
-        for (const int e : region.entity) {
-            all.insert(by_block ? piece(e).block : piece(e).layer);
-            if (!by_block) all.insert(piece(e).also_on.begin(), piece(e).also_on.end());
-        }
-        return all;
+    /// The layers, or the blocks, that the outlines are drawn on.
+    void find_what_is_drawn_on() {
+        for (const bool by_block : {false, true})
+            for (const Region& region : regions) {
+                std::set<std::string>& all = drawn_on[by_block ? 1 : 0].emplace_back();
+                for (const int e : region.entity) {
+                    all.insert(by_block ? piece(e).block : piece(e).layer);
+                    if (!by_block) all.insert(piece(e).also_on.begin(), piece(e).also_on.end());
+                }
+            }
     }
 
     std::string mostly_on(const Region& region, bool by_block) const {
@@ -63,17 +76,24 @@ struct Decision {
     }
 
     /// Is an outline inside another one drawn on nothing that the other is drawn on?
-    bool is_foreign(const Region& region, bool by_block) const {
+    bool is_foreign(int i, bool by_block) const {
+        const Region& region = regions[at(i)];
         if (hints.is_one_part || region.around < 0) return false;
-        const std::set<std::string> around = drawn_on(regions[at(region.around)], by_block);
-        const std::set<std::string> on = drawn_on(region, by_block);
+        const std::set<std::string>&on = drawn_on[by_block ? 1 : 0][at(i)],
+              &around = drawn_on[by_block ? 1 : 0][at(region.around)];
         return std::none_of(on.begin(), on.end(), [&](const std::string& layer) { return around.contains(layer); });
     }
 
-    /// Do layers separate the parts: are there outlines of several, and is none of these on the layer of this one?
-    bool is_on_layer_of_its_own(const Region& region) const {
-        const std::set<std::string> on = drawn_on(region, false);
-        return on.size() == 1 && outer_layers.size() > 1 && !outer_layers.contains(*on.begin());
+    /// Do layers separate the parts: are there outlines of several, is none of these on the layer of this one, and does that
+    /// not hold its hole alone?
+    bool is_on_layer_of_its_own(int i) const {
+        const std::set<std::string>& on = drawn_on[0][at(i)];
+        if (!hints.layers_tell || on.size() != 1 || outer_layers.size() < 2 || outer_layers.contains(*on.begin()) ||
+            says_holes(*on.begin()))
+            return false;
+        for (std::size_t k = 0; k < regions.size(); ++k)
+            if (regions[k].around == i && is_foreign(static_cast<int>(k), false)) return false;
+        return true;
     }
 
     // ---- areas that share edges ----
@@ -188,7 +208,7 @@ struct Decision {
         if (is_twice(region) && !is_all_twice && !hints.is_one_part) return true;
         if (is_strip[at(i)]) return false;
         if (is_inside && holds_strip[at(i)]) region.is_doubtful = true;  // a bush whose fit is drawn once
-        return !is_inside || holds_strip[at(i)] || (is_foreign(region, false) && is_on_layer_of_its_own(region));
+        return !is_inside || holds_strip[at(i)] || (is_foreign(i, false) && is_on_layer_of_its_own(i));
     }
 
     void count_faces() {
@@ -208,8 +228,9 @@ struct Decision {
         count_faces();
         find_hatches(points);
         find_strips();
-        for (const Region& region : regions)
-            if (region.around < 0) outer_layers.merge(drawn_on(region, false));
+        find_what_is_drawn_on();
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (regions[i].around < 0) outer_layers.insert(drawn_on[0][i].begin(), drawn_on[0][i].end());
         is_all_twice = std::all_of(regions.begin(), regions.end(), [&](const Region& r) { return is_twice(r); });
         std::vector<int> outermost_first(regions.size());
         std::iota(outermost_first.begin(), outermost_first.end(), 0);
@@ -312,12 +333,13 @@ struct Decision {
         for (std::size_t i = 0; i < regions.size(); ++i) {
             const Region& own = regions[i];
             if (own.divided >= 0 || !is_inside_material(own) || is_said(static_cast<int>(i))) continue;
-            if (own.is_filled ? !is_foreign(own, false) : holds_part[i] != 0) continue;
+            const int number = static_cast<int>(i);
+            if (own.is_filled ? !is_foreign(number, false) : holds_part[i] != 0) continue;
             for (const bool by_block : {false, true}) {
-                if (!is_foreign(own, by_block)) continue;
+                if (!is_foreign(number, by_block)) continue;
                 const std::string of = by_block ? "block " : "layer ", on = mostly_on(own, by_block),
                                   around = mostly_on(regions[at(own.around)], by_block);
-                if (on.empty()) continue;
+                if (on.empty() || (!own.is_filled && says_holes(on))) continue;
                 found[{own.is_filled, of + on, around.empty() ? "no block" : of + around}].push_back(static_cast<int>(i));
                 break;
             }

@@ -54,42 +54,16 @@ double size_of(const Pieces& entities, double total_length) {
     return std::min(box_of(entities).diagonal(), total_length);
 }
 
-/// A number of digits that coordinates are written with tells how well they are known if it is more than sizes are given with:
-/// to this fraction of the drawing's own. Facets' joints are within twice the rounding of an arc through others of them, and
-/// stand off by as much again.
-constexpr double most_written_fraction = 1e-4;
-constexpr double facets_of_written = 4;
-
-/// How far rounding to the last digit that all ends of lines are written with moves a point; 0: they are written with all their
-/// digits, or with as few as sizes are given with.
-double written_rounding(const Pieces& entities, double size) {
-    constexpr int most_decimals = 6;
-    std::vector<double> numbers;
-    for (const SketchPiece& entity : entities)
-        if (const auto* line = std::get_if<Segment>(&entity.curve))
-            numbers.insert(numbers.end(), {line->from.x(), line->from.y(), line->to.x(), line->to.y()});
-    double last = 1;
-    for (int k = 0; k <= most_decimals && !numbers.empty(); ++k, last *= 10) {
-        const auto is_written = [&](double x) {
-            constexpr double of_digit = 1e-6;
-            const double scaled = std::abs(x) * last, away = std::abs(scaled - std::round(scaled));
-            return away <= of_digit + 4 * std::numeric_limits<double>::epsilon() * scaled;
-        };
-        if (!std::all_of(numbers.begin(), numbers.end(), is_written)) continue;
-        const double moved = std::sqrt(0.5) / last;
-        return moved <= most_written_fraction * size ? moved : 0;
-    }
-    return 0;
-}
-
-/// The same for each line that is not along an axis.
+/// What rounding may put beside what it was meant to be on: lines that are not along an axis.
 void set_slack(Pieces& entities, double written) {
     for (SketchPiece& entity : entities)
         if (const auto* line = std::get_if<Segment>(&entity.curve))
             if (line->from.x() != line->to.x() && line->from.y() != line->to.y()) entity.slack = 2 * written;
 }
 
-JoiningTolerances tolerances_of(const Pieces& entities, const SketchOptions& options, double rounding, bool is_rough) {
+JoiningTolerances tolerances_of(const Pieces& entities, const SketchOptions& options, const Precision& precision,
+                                bool is_rough) {
+    const double rounding = precision.rounding;
     double shortest = std::numeric_limits<double>::infinity(), total = 0;
     for (const SketchPiece& entity : entities) {
         const double own = length(entity.curve);
@@ -98,9 +72,10 @@ JoiningTolerances tolerances_of(const Pieces& entities, const SketchOptions& opt
     }
     const double size = size_of(entities, total), by_size = joining_fraction * size;
     const double joining = std::max(std::min(options.tolerance > 0 ? options.tolerance : by_size, shortest / 2), rounding);
-    const double written = written_rounding(entities, size);
-    return {joining, is_rough ? joining : std::max(std::min(joining, coincidence_fraction * size), rounding),
-            std::max(std::min(joining, by_size), facets_of_written * written), rounding, written};
+    return {joining,
+            is_rough ? std::max(std::min(joining, by_size), 2 * precision.written)
+                     : std::max(std::min(joining, coincidence_fraction * size), rounding),
+            std::min(joining, by_size), rounding, precision.written};
 }
 
 /// Entities that are neither in a closed chain nor in a divided outline.
@@ -160,7 +135,43 @@ void cut_everywhere(MendedLines& lines) {
     if (split_at_crossings(lines.entities, all, CrossingLines::all, lines.tolerances.coincidence, lines.repairs)) trace(lines);
 }
 
+/// A number of digits that coordinates are written with tells how well they are known if it is more than sizes are given with:
+/// to this fraction of the drawing's own.
+constexpr double most_written_fraction = 1e-4;
+
+/// How far rounding to the last digit that all ends of lines are written with moves a point; 0: they are written with all their
+/// digits, or with as few as sizes are given with.
+double written_rounding(const std::vector<SketchEntity>& entities, double size) {
+    constexpr int most_decimals = 6;
+    std::vector<double> numbers;
+    for (const SketchEntity& entity : entities)
+        if (const auto* line = std::get_if<Segment>(&entity.curve))
+            numbers.insert(numbers.end(), {line->from.x(), line->from.y(), line->to.x(), line->to.y()});
+    double last = 1;
+    for (int k = 0; k <= most_decimals && !numbers.empty(); ++k, last *= 10) {
+        const auto is_written = [&](double x) {
+            constexpr double of_digit = 1e-6;
+            const double scaled = std::abs(x) * last, away = std::abs(scaled - std::round(scaled));
+            return away <= of_digit + 4 * std::numeric_limits<double>::epsilon() * scaled;
+        };
+        if (!std::all_of(numbers.begin(), numbers.end(), is_written)) continue;
+        const double moved = std::sqrt(0.5) / last;
+        return moved <= most_written_fraction * size ? moved : 0;
+    }
+    return 0;
+}
+
 }  // namespace
+
+Precision precision_of(const std::vector<SketchEntity>& entities, double size) {
+    double total = 0;
+    Box2 box;
+    for (const SketchEntity& entity : entities) {
+        total += length(entity.curve);
+        box.extend(bounding_box(entity.curve));
+    }
+    return {rounding_fraction * size, written_rounding(entities, std::min(total, box.diagonal()))};
+}
 
 void trace(MendedLines& lines) {
     const JoiningTolerances& near = lines.tolerances;
@@ -171,13 +182,13 @@ void trace(MendedLines& lines) {
     lines.chains = trace_chains(lines.entities, lines.joints);
 }
 
-MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
+MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, const Precision& precision,
                          Mending how) {
     MendedLines lines{pieces_of(entities)};
-    remove_without_length(lines.entities, rounding, lines.repairs);
+    remove_without_length(lines.entities, precision.rounding, lines.repairs);
     if (lines.entities.empty()) return lines;
     if (options.recognise_arcs) recognise_curves(lines.entities, lines.repairs);
-    lines.tolerances = tolerances_of(lines.entities, options, rounding, how == Mending::rough);
+    lines.tolerances = tolerances_of(lines.entities, options, precision, how == Mending::rough);
     set_slack(lines.entities, lines.tolerances.written);
     trace(lines);
     if (how == Mending::cut_at_crossings)

@@ -8,13 +8,22 @@
 
 namespace abut::geometry {
 
+/// How well the coordinates of a drawing are known.
+struct Precision {
+    double rounding = 0;  ///< what their own rounding in the file amounts to
+    double written = 0;   ///< what rounding to the last digit that lines are written with moves a point by; 0: not known
+};
+/// Rounding of numbers as large as the drawing (`size`), and of the digits that all ends of its lines are written with, where
+/// these are more than sizes are given with.
+Precision precision_of(const std::vector<SketchEntity>& entities, double size);
+
 /// What is near enough to be joined, or one, among entities that may belong together.
 struct JoiningTolerances {
     double joining = 0;      ///< of ends
     double coincidence = 0;  ///< of curves
-    double facets = 0;       ///< of facets' joints from an arc: never more than what the size, or their last digit, suggests
+    double facets = 0;       ///< of facets' joints from an arc: never more than what the size suggests
     double rounding = 0;     ///< what the coordinates' own rounding amounts to in the file
-    double written = 0;      ///< what rounding to the last digit that lines are written with moves a point by, if that is known
+    double written = 0;      ///< what rounding to the last digit that they are written with does, if that is known
 };
 
 /// Entities, and what they make as they are now.
@@ -34,13 +43,14 @@ void trace(MendedLines& lines);
 
 /// Joins and mends: steps 1 to 4 of sketch_outlines.cpp. Ends of others are none of their business. The joining tolerance
 /// asked for (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but
-/// never below `rounding`.
+/// never below their rounding.
 enum class Mending {
     usual,             ///< what is off by more than rounding may be a clearance
-    rough,             ///< what is within the joining tolerance is one
+    rough,             ///< what is within joining_fraction, or the coordinates' digits, is one
     cut_at_crossings,  ///< all lines are cut where they cross, and none kept as drawn over others
 };
-MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding, Mending how);
+MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, const Precision& precision,
+                         Mending how);
 
 /// Cuts upright lines that share areas where they cross, as in tables.
 void cut_tables(MendedLines& lines);

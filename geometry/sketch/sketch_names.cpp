@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace abut::geometry {
 
@@ -79,16 +80,18 @@ std::vector<std::string> layers_of_parts(const std::vector<std::vector<const Ske
         const bool is_shared = std::any_of(entities[k].begin(), entities[k].begin() + static_cast<std::ptrdiff_t>(n_outer[k]),
                                            [](const SketchPiece* piece) { return !piece->also_on.empty(); });
         if (is_shared) keep_most_frequent(entities[k], entities[k].size(), possible[k]);
-        possible[k].erase(std::unique(possible[k].begin(), possible[k].end()), possible[k].end());
+        std::set<std::string> seen;
+        std::erase_if(possible[k], [&](const std::string& layer) { return !seen.insert(layer).second; });
         if (possible[k].size() == 1) taken.insert(possible[k].front());
     }
+    std::map<std::string, int> n_parts;
+    for (const std::vector<std::string>& own : possible)
+        for (const std::string& layer : own) ++n_parts[layer];
+    const auto is_better = [&](const std::string& a, const std::string& b) {
+        return std::pair(taken.contains(a), n_parts[a]) < std::pair(taken.contains(b), n_parts[b]);
+    };
     std::vector<std::string> layers;
-    for (const std::vector<std::string>& own : possible) {
-        const auto free =
-            std::find_if(own.begin(), own.end(), [&](const std::string& layer) { return !taken.contains(layer); });
-        layers.push_back(own.size() == 1 || free == own.end() ? own.front() : *free);
-        taken.insert(layers.back());
-    }
+    for (const std::vector<std::string>& own : possible) layers.push_back(*std::min_element(own.begin(), own.end(), is_better));
     return layers;
 }
 

@@ -19,8 +19,9 @@ std::string block_hint(const SketchPiece& entity);
 std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline);
 
 /// The layer of each of several parts: that which most of its outer edges are drawn on, or where that leaves several, most of
-/// all its edges, or one that is no other part's yet; else the first. An edge that is drawn on several is on each of them.
-/// entities: by part and edge; n_outer: by part, its outer edges, the first of all.
+/// all its edges, or one that is not another part's alone; of these the one that fewest parts may be on, or the first. An edge
+/// that is drawn on several is on each of them. entities: by part and edge; n_outer: by part, its outer edges, the first of
+/// all.
 std::vector<std::string> layers_of_parts(const std::vector<std::vector<const SketchPiece*>>& entities,
                                          const std::vector<std::size_t>& n_outer);
 

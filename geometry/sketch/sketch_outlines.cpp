@@ -55,8 +55,11 @@ SketchProblem crossing_lines(const std::vector<SketchPiece>& entities, const std
     const std::string hint = of_insertion == block.end() ? "" : block_hint(entities[at(*of_insertion)]);
     return {"lines that share areas on layer " + first.layer + " cross each other, " +
                 (pair ? first.name + " and " + entities[at(pair->other)].name : "near " + first.name),
-            pair ? pair->at : point(first.curve, 0.5), first.name, first.line,
-            "put each part on a layer of its own, or mend it in CAD" + hint};
+            pair ? pair->at : point(first.curve, 0.5),
+            first.name,
+            first.line,
+            "put each part on a layer of its own, or mend it in CAD" + hint,
+            true};
 }
 
 }  // namespace
@@ -80,12 +83,10 @@ ClosedOutlines close_outlines(MendedLines lines, const SketchOptions& options) {
     found.outlines.closed = std::move(lines.chains.closed);
     for (const std::vector<int>& block : lines.chains.divided) {
         DividedOutline divided = walk_faces(lines.entities, lines.joints, block);
-        if (is_plane(divided, lines.joints, block)) {
+        if (is_plane(divided, lines.joints, block))
             found.outlines.divided.push_back(std::move(divided));
-        } else {
+        else
             found.problems.push_back(crossing_lines(lines.entities, block, near.coincidence));
-            ++found.crossings;
-        }
     }
     found.outlines.entities = std::move(lines.entities);
     put_back(found.outlines, lines);

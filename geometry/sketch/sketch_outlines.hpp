@@ -13,7 +13,6 @@ struct ClosedOutlines {
     std::vector<Repair> repairs;
     std::vector<LooseEntities> loose;     ///< what bounds nothing, among `outlines.entities`
     std::vector<SketchProblem> problems;  ///< outlines that nearly close, lines that share areas and cross
-    std::size_t crossings = 0;            ///< how many of the problems are such lines
     std::vector<SketchProblem> warnings;  ///< what was set aside since it bounds nothing
     double open_length = 0;               ///< of all that
     double tolerance = 0;                 ///< ends within this were joined

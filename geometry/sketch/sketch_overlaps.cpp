@@ -13,12 +13,11 @@ namespace abut::geometry {
 namespace {
 
 /// Two lines or circles that agree at five points of a stretch, its ends among them, agree on all of it.
-bool lies_on(const SketchPiece& piece, const SketchPiece& other, double tolerance) {
+bool lies_on(const Curve& curve, const Curve& other, double tolerance) {
     constexpr std::array samples{0.5, 0.0, 1.0, 0.25, 0.75};  // the middle first: it rules out neighbours at once
-    const double distance = std::max({tolerance, piece.slack, other.slack});
     return std::all_of(samples.begin(), samples.end(), [&](double t) {
-        const Vec2 p = point(piece.curve, t);
-        return (point(other.curve, closest_parameter(other.curve, p)) - p).norm() <= distance;
+        const Vec2 p = point(curve, t);
+        return (point(other, closest_parameter(other, p)) - p).norm() <= tolerance;
     });
 }
 
@@ -49,7 +48,8 @@ bool erase(std::vector<SketchPiece>& entities, const std::vector<bool>& is_gone)
 /// Takes out i, and of there and back both, if it covers the earlier j and is covered by it.
 bool merge_twins(std::vector<SketchPiece>& entities, std::size_t j, std::size_t i, double tolerance, std::vector<bool>& is_gone,
                  std::vector<Repair>& repairs) {
-    if (!lies_on(entities[i], entities[j], tolerance) || !lies_on(entities[j], entities[i], tolerance)) return false;
+    if (!lies_on(entities[i].curve, entities[j].curve, tolerance) || !lies_on(entities[j].curve, entities[i].curve, tolerance))
+        return false;
     is_gone[i] = true;
     is_gone[j] = is_there_and_back(entities[i], entities[j]);
     repairs.push_back(is_gone[j] ? removal_of_both(entities[i], entities[j]) : removal(entities[i], entities[j]));
@@ -74,7 +74,8 @@ std::vector<int> find_covers(const std::vector<SketchPiece>& entities, const std
         const double distance = std::max(tolerance, most_slack);
         for (const int j : tree.near(middle, distance)) {
             if (static_cast<std::size_t>(j) == i || !boxes[i].is_within(boxes[static_cast<std::size_t>(j)], distance)) continue;
-            if (!lies_on(entities[i], entities[static_cast<std::size_t>(j)], tolerance)) continue;
+            const double one = reach_of_line(entities[static_cast<std::size_t>(j)], entities[i], tolerance);
+            if (!lies_on(entities[i].curve, entities[static_cast<std::size_t>(j)].curve, one)) continue;
             covers[i] = j;
             break;
         }
@@ -89,9 +90,8 @@ bool remove_duplicates(std::vector<SketchPiece>& entities, double tolerance, std
     for (std::size_t i = 0; i < entities.size(); ++i) corners[i].extend(bounding_box(entities[i].curve).min);
     const EdgeTree tree(corners);
     std::vector<bool> is_gone(entities.size(), false);
-    const double distance = std::max(tolerance, largest_slack(entities));
     for (std::size_t i = 0; i < entities.size(); ++i)
-        for (const int near : tree.near(corners[i], distance)) {
+        for (const int near : tree.near(corners[i], tolerance)) {
             const auto j = static_cast<std::size_t>(near);
             if (j >= i || (!is_gone[j] && merge_twins(entities, j, i, tolerance, is_gone, repairs))) break;
         }

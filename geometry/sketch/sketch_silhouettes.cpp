@@ -28,7 +28,7 @@ struct BlockCount {
 struct SilhouetteSearch {
     const Drawing& drawing;
     const SketchOptions& options;
-    double rounding;
+    Precision precision;
     Silhouettes found{};
     std::map<std::string, BlockCount> counts{};  ///< by block
 
@@ -112,7 +112,7 @@ struct SilhouetteSearch {
     void replace(int insertion, const std::vector<SketchEntity>& entities) {
         SketchOptions plain = options;
         plain.recognise_arcs = false;  // done with the parts
-        ClosedOutlines closed = close_outlines(mended_lines(entities, plain, rounding, Mending::cut_at_crossings), plain);
+        ClosedOutlines closed = close_outlines(mended_lines(entities, plain, precision, Mending::cut_at_crossings), plain);
         found.repairs.insert(found.repairs.end(), closed.repairs.begin(), closed.repairs.end());
         const std::vector<Region> outer = outer_outlines(closed.outlines);
         for (const SketchProblem& problem : closed.problems)
@@ -192,7 +192,7 @@ Silhouettes block_silhouettes(const Drawing& drawing, const SketchOptions& optio
     for (const SketchEntity& entity : drawing.entities) box.extend(bounding_box(entity.curve));
     const double size =
         box.empty() ? 0 : std::max(box.diagonal(), std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff()));
-    SilhouetteSearch search{drawing, options, rounding_fraction * size};
+    SilhouetteSearch search{drawing, options, precision_of(drawing.entities, size)};
     search.run();
     return std::move(search.found);
 }

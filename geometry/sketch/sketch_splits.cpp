@@ -102,12 +102,14 @@ Cuts find_cuts(const std::vector<SketchPiece>& entities, const Joints& joints, c
         const int joint = joint_of(joints, end);
         const bool is_alone = joints.joints[static_cast<std::size_t>(joint)].ends.size() == 1;
         const double reach = is_alone ? tolerance : coincidence;
-        Box2 here;
-        here.extend(p);
-        for (const int near : asked.tree.near(here, std::max(reach, most_slack))) {
+        Box2 place;
+        place.extend(p);
+        for (const int near : asked.tree.near(place, std::max(reach, most_slack))) {
             const std::size_t j = asked.entity[static_cast<std::size_t>(near)];
             if (i == j || joints.at_begin[j] == joint || joints.at_end[j] == joint) continue;
-            const double one = std::max(coincidence, entities[j].slack);
+            double one = std::max(coincidence, entities[j].slack);
+            for (const EntityEnd& here : joints.joints[static_cast<std::size_t>(joint)].ends)
+                one = std::min(one, reach_of_line(entities[j], entities[static_cast<std::size_t>(here.entity)], coincidence));
             const std::optional<double> t = place_inside(entities[j], p, std::max(reach, one), coincidence);
             if (!t || runs_beside(entities[i], end.is_begin, entities[j], *t, one) ||
                 !note(cuts, entities[j], j, *t, p, coincidence))

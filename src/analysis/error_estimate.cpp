@@ -260,7 +260,8 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         ContactError& error = *e.contacts[k];
         error.share = changes[k].norm > 0 ? changes[k].norm / strongest : std::abs(changes[k].force) / largest_force;
         error.share_of_peak = changes[k].peak / largest_peak;
-        if (!now.contacts[k].is_bond) {
+        const bool steers = !now.contacts[k].is_bond && changes[k].norm > 0;  // beside corners pressures settle last
+        if (steers) {
             worst = std::max(worst, error.pressure * error.share);
             strongest_contact = std::max(strongest_contact, error.share);
             if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * changes[k].peak);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "src/base/index.hpp"
@@ -87,7 +88,8 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
         Vec2 at;
         bool is_limited;
         int portions;
-        double turn, growth;
+        double turn;
+        bool is_clamped;
     };
     const geometry::Part& shape = scene.parts[at(part)].part;
     const double merge = merge_length(shape);
@@ -109,14 +111,17 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
                     continue;
                 }
                 const double turn = vertex == corners.end() ? 0 : vertex->turn;
-                ends.push_back(
-                    {place, is_limited, 1, turn,
-                     is_clamp(scene.supports[s]) ? growth_at_clamp(turn, kolosov(elasticity)) : growth_at_guide(turn)});
+                ends.push_back({place, is_limited, 1, turn, is_clamp(scene.supports[s])});
             }
         }
     }
-    for (const End& end : ends)
-        if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn), false, end.growth, true});
+    std::map<std::pair<double, bool>, double> growths;
+    for (const End& end : ends) {
+        if (end.is_limited || end.portions != 1) continue;
+        const auto [known, is_new] = growths.try_emplace({end.turn, end.is_clamped});
+        if (is_new) known->second = end.is_clamped ? growth_at_clamp(end.turn, kolosov(elasticity)) : growth_at_guide(end.turn);
+        places.push_back({end.at, at_support_end(end.turn), false, known->second, true});
+    }
 }
 
 /// Has a butt joint that a straight boundary passes square, of these materials, stresses without a limit there (Bogy, J. Appl.

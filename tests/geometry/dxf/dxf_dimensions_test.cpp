@@ -29,6 +29,8 @@ TEST(DxfDimensions, OfADrawingToAScaleAreTold) {
     ASSERT_EQ(by_text.size(), 1u);
     EXPECT_NE(by_text[0].find("dimensions say 2 times what is drawn (100 where 50 is drawn)"), std::string::npos) << by_text[0];
     EXPECT_EQ(told(dimension(50, "<>"), "9\n$DIMLFAC\n40\n2\n").size(), 1u);
+    for (const char* text : {"100 mm", "\\A1;100", "{\\H0.7x;100}", "100 +0.1", "(100)", "100%%p0.2"})
+        EXPECT_EQ(told(dimension(50, text)).size(), 1u) << text;
     EXPECT_EQ(told(dimension(50, "<>"), "9\n$DIMLFAC\n40\n-2\n").size(), 0u);  // of paper space
 }
 
@@ -40,7 +42,8 @@ TEST(DxfDimensions, OneThatWasChangedAloneIsToldAlone) {
 
 /// Rounded texts, other units, number times length, diameters of half sections, angles and text.
 TEST(DxfDimensions, ThatAreNoContradictionAreNot) {
-    for (const char* text : {"50", "(50)", "<>", "", "1.9685", "50000", "4x12", "%%c100", "M20x100", "see note", "2x45%%d"})
+    for (const char* text : {"50", "(50)", "<>", "", "1.9685", "50000", "4x12", "%%c100", "M20x100", "see note", "2x45%%d",
+                             "50,000", "10 5", "0.164", "50 mm", "{\\H0.7x;50}", "50 +0.1"})
         EXPECT_TRUE(told(dimension(50, text)).empty()) << text;
     EXPECT_TRUE(told(dimension(17.32, "17")).empty());
     EXPECT_TRUE(told(dimension(50, "60", 2)).empty());  // an angle's points are no distance

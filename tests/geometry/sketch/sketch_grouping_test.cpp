@@ -64,13 +64,13 @@ TEST(SketchGrouping, ByLoopWhereLayersCloseOnlyTogether) {
 }
 
 TEST(SketchGrouping, ByLoopWhereALayerOnlyHoldsHoles) {
-    const Entities bore{drawn_circle({5, 5}, 2, "c", "HOLES")};
+    const Entities bore{drawn_circle({5, 5}, 2, "c", "INNER")};
     const SketchParts sketch = parts_by(square + bore, PartsBy::automatic);
     EXPECT_EQ(sketch.parts_by, PartsBy::loop);
     EXPECT_EQ(part_names(sketch), (Names{"A"}));
     EXPECT_NEAR(total_area(sketch), 100 - 4 * pi, 1e-12);
     EXPECT_TRUE(std::any_of(sketch.warnings.begin(), sketch.warnings.end(), [](const SketchProblem& w) {
-        return says(w.what, "outlines on layer HOLES lie in the material of what is on layer A, and are taken as its holes");
+        return says(w.what, "outlines on layer INNER lie in the material of what is on layer A, and are taken as its holes");
     }));
     // a pin in a hole lies in no material, and what covers a hole is drawn in front of it
     for (const double radius : {2.0, 1.9, 3.0}) {
@@ -101,7 +101,19 @@ TEST(SketchGrouping, APinOnALayerOfItsOwnIsAPartWhereLayersSeparateParts) {
     EXPECT_NEAR(total_area(sketch), 100 + 120, 1e-9);
     EXPECT_TRUE(
         warns(sketch, "outlines on layer PIN lie in the material of what is on layer B, and are taken as parts that fit"));
-    // where it is in a block, or on a layer of holes of one part alone, it is a hole, and that is told
+    // a layer of holes holds none, nor is a ring around what another layer has in its hole one, nor where outlines are the
+    // parts
+    const SketchParts bored =
+        parts_by(square_with_post() + Entities{drawn_circle({5, 20}, 1, "c", "BOHRUNG")}, PartsBy::automatic);
+    EXPECT_EQ(part_names(bored), (Names{"A", "B"}));
+    EXPECT_NEAR(total_area(bored), 100 + 120 - pi, 1e-9);
+    EXPECT_FALSE(warns(bored, "BOHRUNG"));
+    const SketchParts screwed =
+        parts_by(square_with_post() + Entities{drawn_circle({5, 20}, 2, "c", "X"), drawn_circle({5, 20}, 1.5, "s", "SCREW")},
+                 PartsBy::automatic);
+    EXPECT_EQ(part_names(screwed), (Names{"A", "B", "SCREW"}));
+    EXPECT_EQ(part_names(parts_by(square_with_post() + pin, PartsBy::loop)), (Names{"A", "B"}));
+    // where it is in a block, or on a layer of one part alone, it is a hole, and that is told
     const SketchParts hole =
         parts_by(square + in_block(Entities{drawn_circle({5, 5}, 2, "c", "A")}, "PIN"), PartsBy::automatic);
     EXPECT_EQ(part_names(hole), (Names{"A"}));
@@ -117,6 +129,22 @@ TEST(SketchGrouping, WhatIsDrawnOnTwoLayersIsAPartOnEither) {
     EXPECT_EQ(sketch.layers, (Names{"A", "B", "BUSH", "PIN"}));
     EXPECT_NEAR(area(sketch.parts[2]), 3 * pi, 1e-9);
     EXPECT_FALSE(warns(sketch, "lie in the material"));
+}
+
+/// Everything once more on a layer of contours: the layer that is one part's alone names it. Pins that are alike are named
+/// alike.
+TEST(SketchGrouping, WhatIsDrawnOnTwoLayersHasTheNameThatTellsMore) {
+    const Entities other = drawn_rectangle({30, 0}, {40, 10}, "t", "B");
+    Entities again = square + other;
+    for (SketchEntity& e : again) {
+        e.layer = "KONTUR";
+        e.name += "k";
+    }
+    EXPECT_EQ(part_names(parts_by(again + square + other, PartsBy::loop)), (Names{"A", "B"}));
+    Entities pins;
+    for (const double x : {3.0, 7.0})
+        pins = pins + Entities{drawn_circle({x, 5}, 1, "h", "A"), drawn_circle({x, 5}, 1, "p", "PIN")};
+    EXPECT_EQ(part_names(parts_by(square + other + pins, PartsBy::loop)), (Names{"A", "B", "PIN#0", "PIN#1"}));
 }
 
 TEST(SketchGrouping, PartsThatAreDrawnThroughOthersStayParts) {

@@ -144,10 +144,11 @@ TEST(ErrorEstimate, WhatLiesBesideACornerAsAWholeIsKnownByItsForce) {
     ASSERT_TRUE(alone.contacts[0]);
     EXPECT_TRUE(alone.contacts[0]->at_corner);
     EXPECT_NEAR(alone.contacts[0]->force, 0.33 * 0.2, 1e-3);
-    EXPECT_NEAR(*alone.contact_pressure, alone.contacts[0]->force, 1e-12);
+    EXPECT_FALSE(alone.contact_pressure);  // nothing is known of it but that
     const ContactRecord even = record(20, [](double) { return 1; });
     const ErrorEstimate beside = estimate({pass({at_corner(0.01), even}), pass({at_corner(0.0125), even})});
-    EXPECT_NEAR(*beside.contact_pressure, 0.0125 * alone.contacts[0]->pressure, 1e-12);
+    EXPECT_NEAR(beside.contacts[0]->share, 0.0125, 1e-12);
+    EXPECT_EQ(*beside.contact_pressure, 0);
 }
 
 /// A solution on the same cells changes nothing, and tells nothing.
