@@ -294,7 +294,8 @@ bool closes_more(const SketchParts& sketch, const SketchParts& other) {
     return sketch.open_length < (1 - same) * other.open_length;
 }
 
-/// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
+/// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold
+/// holes by their names, or the
 /// holes of one of them.
 SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
     const Drawing& drawing = lines.drawing;
@@ -302,6 +303,10 @@ SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, Ske
     const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
     const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
     const bool are_holes = is_inside && !is_assembly;
+    if (const auto holes = std::find_if(by_layer.layers.begin(), by_layer.layers.end(), says_holes);
+        holes != by_layer.layers.end())
+        if (SketchParts by_loop = sketch_by(lines, options, PartsBy::loop); is_whole(by_loop))
+            return with_reason(std::move(by_loop), why + ", of which " + *holes + " holds holes");
     if (!are_holes && is_whole(by_layer))
         return with_reason(
             std::move(by_layer),

@@ -28,15 +28,6 @@ bool is_region_name(const std::string& text) {
     return text.size() > 1 && text[0] == 'r' && text.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
-/// Does the name of a layer or block say that it holds holes?
-bool says_holes(const std::string& name) {
-    constexpr std::array words{"hole",   "bohr", "bore", "drill",  "loch",   "cut",     "ausschnitt", "gewinde",
-                               "thread", "tap",  "slot", "pocket", "tasche", "percage", "trou",       "foro"};
-    std::string lower;
-    for (const char c : name) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return std::any_of(words.begin(), words.end(), [&](const char* word) { return lower.find(word) != std::string::npos; });
-}
-
 struct Decision {
     std::vector<Region>& regions;
     const Outlines& outlines;

@@ -2,6 +2,7 @@
 #include "geometry/sketch/sketch_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -34,6 +35,14 @@ bool matches_glob(std::string_view name, std::string_view pattern) {
     return k == p.size();
 }
 
+bool says_holes(const std::string& name) {
+    constexpr std::array words{"hole",   "bohr", "bore", "drill",  "loch",   "cut",     "ausschnitt", "gewinde",
+                               "thread", "tap",  "slot", "pocket", "tasche", "percage", "trou",       "foro"};
+    std::string lower;
+    for (const char c : name) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return lower.find(word) != std::string::npos; });
+}
+
 std::string block_hint(const SketchPiece& entity) {
     if (entity.insertion < 0) return {};
     const std::string block = entity.block.substr(entity.block.rfind('/') + 1);
@@ -52,8 +61,9 @@ std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline) 
 
 namespace {
 
-/// Keeps, of the layers, those that the most of the first n pieces are drawn on.
-void keep_most_frequent(const std::vector<const SketchPiece*>& pieces, std::size_t n, std::vector<std::string>& layers) {
+/// Keeps, of the layers, those that most of the first n pieces are drawn on, to a share of the most.
+void keep_most_frequent(const std::vector<const SketchPiece*>& pieces, std::size_t n, double share,
+                        std::vector<std::string>& layers) {
     std::map<std::string, int> n_edges;
     for (std::size_t k = 0; k < n; ++k) {
         ++n_edges[pieces[k]->layer];
@@ -61,7 +71,7 @@ void keep_most_frequent(const std::vector<const SketchPiece*>& pieces, std::size
     }
     int most = 0;
     for (const std::string& layer : layers) most = std::max(most, n_edges[layer]);
-    std::erase_if(layers, [&](const std::string& layer) { return n_edges[layer] < most; });
+    std::erase_if(layers, [&](const std::string& layer) { return n_edges[layer] < share * most; });
 }
 
 }  // namespace
@@ -76,10 +86,11 @@ std::vector<std::string> layers_of_parts(const std::vector<std::vector<const Ske
             possible[k].push_back(piece.layer);
             possible[k].insert(possible[k].end(), piece.also_on.begin(), piece.also_on.end());
         }
-        keep_most_frequent(entities[k], n_outer[k], possible[k]);
         const bool is_shared = std::any_of(entities[k].begin(), entities[k].begin() + static_cast<std::ptrdiff_t>(n_outer[k]),
                                            [](const SketchPiece* piece) { return !piece->also_on.empty(); });
-        if (is_shared) keep_most_frequent(entities[k], entities[k].size(), possible[k]);
+        constexpr double nearly_all = 0.7;  // of what was drawn twice pieces that others share may be missing
+        keep_most_frequent(entities[k], n_outer[k], is_shared ? nearly_all : 1, possible[k]);
+        if (is_shared) keep_most_frequent(entities[k], entities[k].size(), nearly_all, possible[k]);
         std::set<std::string> seen;
         std::erase_if(possible[k], [&](const std::string& layer) { return !seen.insert(layer).second; });
         if (possible[k].size() == 1) taken.insert(possible[k].front());
