@@ -378,6 +378,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
         unheld = unheld_amplitudes(problem.parts, threads);
         move_bodies(unheld, qp);
         path = follow_path(qp, start_of_path, rows.weight, split, levers, problem.path_tolerance);
+        if (path->moved.size() > 0) unheld += path->moved;
     }
     if (path && problem.path_tolerance) attempt.on_way = std::move(path->way);
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);

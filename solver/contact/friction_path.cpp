@@ -10,6 +10,7 @@
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/friction_states.hpp"
 #include "solver/contact/kept_states.hpp"
+#include "solver/linear_algebra/nonnegative.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
@@ -65,6 +66,38 @@ std::vector<Face> faces_of(const std::vector<FrictionRow>& friction) {
     return faces;
 }
 
+/// Motions that only contact resists, by which bodies give way.
+class GivingWay {
+public:
+    explicit GivingWay(const ContactQp& qp) {
+        std::vector<char> is_tangential(qp.unilateral.size(), 0);
+        for (const FrictionRow& f : qp.friction) is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
+        std::vector<Index> held;
+        for (std::size_t k = 0; k < is_tangential.size(); ++k)
+            if (qp.unilateral[k])
+                rows_.push_back(static_cast<Index>(k));
+            else if (!is_tangential[k])
+                held.push_back(static_cast<Index>(k));
+        HeldMotions of_held(qp);
+        for (const Index row : held) of_held.hold(row);
+        const auto basis = of_held.basis();
+        free_ = MatrixXd::Identity(qp.modes.cols(), qp.modes.cols()) - basis * basis.transpose();
+        moved_ = qp.modes * free_;
+        is_possible_ = !moved_.isZero(0) && !rows_.empty();
+    }
+    bool is_possible() const { return is_possible_; }
+    /// The least amplitudes such that no gap is negative; empty: there are none.
+    VectorXd least(const VectorXd& gap) const {
+        const std::optional<VectorXd> least = least_distance(moved_(rows_, Eigen::all), -gap(rows_));
+        return least ? VectorXd(free_ * *least) : VectorXd(0);
+    }
+
+private:
+    std::vector<Index> rows_;  ///< of pressures
+    MatrixXd free_, moved_;    ///< projection onto these motions; what rows move by in them
+    bool is_possible_ = false;
+};
+
 class Path {
 public:
     Path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split, const MatrixXd& levers,
@@ -81,8 +114,9 @@ public:
     FrictionPath follow() {
         const VectorXd none = VectorXd::Zero(qp_.gap.size());
         State begin{none, start_.gap, none, {}, {}};
-        go_as_unpressed(begin);
-        const Increment at_once = solve(begin, 0, 1, qp_.expected);
+        const double from = go_as_unpressed(begin);
+        if (from == 1) return without_contact();
+        const Increment at_once = solve(begin, from, 1, qp_.expected);
         path_.emplace(FrictionPath{at_once.answer, {0, none, none, none}});
         bool is_found = false, is_sought = false;
         if (is_at_once_) return finished();
@@ -94,10 +128,10 @@ public:
             scale_ = std::max(norm_of_pressure(begin.forces), norm_of_pressure(r.multipliers));
             const bool is_open = at_once.has_answer() && !is_pressed(begin.forces) && !is_pressed(r.multipliers);
             is_sought = !is_open;
-            if (const double rest = is_sought ? fall(begin, at_once) : 0; rest > 0)
+            if (const double rest = is_sought && from == 0 ? fall(begin, at_once) : 0; rest > 0)
                 is_found = advance(begin, rest, 1, solve(begin, rest, 1, at_once.forces()), 0).has_value();
             else
-                is_found = is_sought && advance(begin, 0, 1, at_once, 0).has_value();
+                is_found = is_sought && advance(begin, from, 1, at_once, 0).has_value();
         }
         if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none, at_once.has_answer() && is_sought}});
         return finished();
@@ -109,20 +143,58 @@ private:
         return std::move(*path_);
     }
 
-    /// Bodies go where the loads take them until they touch.
-    void go_as_unpressed(State& begin) const {
+    /// Where bodies can give way to the end nothing presses.
+    FrictionPath without_contact() {
+        const VectorXd none = VectorXd::Zero(qp_.gap.size());
+        constexpr double rounding = 1e-9;  // of gaps: what is just touched is not pressed by them
+        ContactQp qp = at(1);
+        move_bodies(given_way_, qp);
+        const double margin = rounding * qp.gap.cwiseAbs().maxCoeff();
+        for (const FrictionRow& f : qp_.friction) qp.gap[f.normal] += margin;
+        path_.emplace(FrictionPath{solve_held(qp, split_, levers_), {1, none, none, none}});
+        path_->moved = given_way_;
+        iterations_ += path_->end.result.iterations;
+        return finished();
+    }
+
+    /// Bodies go where the loads take them until they touch. Those that nothing holds give way to others as long as they can,
+    /// without friction, since nothing presses until then: how far on the path that is.
+    double go_as_unpressed(State& begin) {
         const auto is_open = [&](const FrictionRow& f) { return start_.gap[f.normal] > 0; };
-        if (std::none_of(qp_.friction.begin(), qp_.friction.end(), is_open)) return;
+        if (std::none_of(qp_.friction.begin(), qp_.friction.end(), is_open)) return 0;
         const std::optional<VectorXd> there = unpressed(0), here = unpressed(1);
-        if (!there || !here) return;
+        if (!there || !here) return 0;
         begin.gap = *there;
-        begin.closing = *there - *here;
-        begin.passing = *here - *there;
+        double from = 0;
+        VectorXd moved = VectorXd::Zero(begin.gap.size());
+        if (const GivingWay way(qp_); way.is_possible() && closes(*here) && way.least(*there).size() > 0) {
+            constexpr int bisections = 20;
+            given_way_ = way.least(*here);
+            if (given_way_.size() > 0) return 1;
+            double to = 1;
+            for (int k = 0; k < bisections; ++k) {
+                const double middle = 0.5 * (from + to);
+                const VectorXd least = way.least((1 - middle) * *there + middle * *here);
+                (least.size() > 0 ? from : to) = middle;
+                if (least.size() > 0) moved = qp_.modes * least;
+            }
+            begin.gap = (1 - from) * *there + from * *here + moved;
+            if (from > 0)
+                for (const FrictionRow& f : qp_.friction) begin.slipped[f.tangential] = begin.gap[f.tangential];
+        }
+        begin.closing = (begin.gap - (*here + moved)) / (1 - from);
+        begin.passing = -begin.closing;
+        return from;
+    }
+
+    bool closes(const VectorXd& gap) const {
+        return std::any_of(qp_.friction.begin(), qp_.friction.end(), [&](const FrictionRow& f) { return gap[f.normal] < 0; });
     }
 
     /// The gaps at a place of the path where no contact carries anything; nothing: loads drive bodies that nothing holds then.
     std::optional<VectorXd> unpressed(double end) const {
-        const ContactQp qp = at(end);
+        ContactQp qp = at(end);
+        if (qp.mode_load.norm() <= open_force * qp.load_scale) qp.mode_load.setZero();
         ActiveSet open = bilateral_rows(qp);
         for (const FrictionRow& f : qp.friction) open[static_cast<std::size_t>(f.tangential)] = row_state::open;
         ContactState state;
@@ -300,7 +372,8 @@ private:
     std::vector<Face> faces_;
     std::shared_ptr<KeptStates> kept_ = std::make_shared<KeptStates>();
     double scale_ = 0;
-    VectorXd approach_{};  ///< of the rows, at once
+    VectorXd approach_{};   ///< of the rows, at once
+    VectorXd given_way_{};  ///< amplitudes by which bodies give way to the end
     int iterations_ = 0;
     std::optional<FrictionPath> path_{};
 };

@@ -33,6 +33,7 @@ struct FrictionPath {
     HeldAnswer end;
     OnWay way;
     int iterations = 0;
+    Eigen::VectorXd moved{};  ///< amplitudes that come to those of `end`, where nothing presses; empty: none
 };
 
 /// Follows a path in increments: each is one problem in which slips count from where the one before ended, so that what comes

@@ -124,10 +124,12 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load, const Vec
         unheld = unheld_ + unheld_of_loads_ * factors;
         move_bodies(unheld, all);
     }
-    HeldAnswer held = has_way ? follow_path(all, path_start(problem_, rows_, modes_), rows_.rows.weight, split_, levers_,
-                                            *problem_.path_tolerance)
-                                    .end
-                              : solve_held(all, split_, levers_);
+    std::optional<FrictionPath> path;
+    if (has_way)
+        path =
+            follow_path(all, path_start(problem_, rows_, modes_), rows_.rows.weight, split_, levers_, *problem_.path_tolerance);
+    if (path && path->moved.size() > 0) unheld += path->moved;
+    HeldAnswer held = path ? std::move(path->end) : solve_held(all, split_, levers_);
     if (held.result.mechanism.size() > 0) return {held.result, held.held * held.result.mechanism};
     if (levers_.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))

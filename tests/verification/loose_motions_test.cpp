@@ -156,5 +156,30 @@ TEST(LooseMotions, RoundingOfASlopeDrivesNothing) {
         }
 }
 
+/// A pin in a bore, off its middle, that grows until it fills it: what touches first gives way, and nothing slips until all
+/// round it is pressed.
+TEST(LooseMotions, WhatTouchesFirstGivesWayWithoutFriction) {
+    const auto pin = [](double beside, const char* more) {
+        return test::answer_of_cases(
+            R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3, "expansion": 1.2e-5}},
+            "parts": [{"name": "hub", "material": "m", "geometry": {"difference": [
+                {"rectangle": {"min": [-30, -30], "max": [30, 30]}, "name": "o"}, {"circle": {"center": [0, 0], "radius": 10.01}}]}},
+                {"name": "pin", "material": "m", "geometry": {"circle": {"center": )" +
+            test::pair_text(beside, 0) + R"(, "radius": 10}}}],
+            "supports": [{"on": "hub/o/*", "fix": ["x", "y"]}], "contacts": {"friction": 0.3},
+            "loads": [{"part": "pin", "temperature": 200, "name": "heat"}])" +
+            more + "}");
+    };
+    const double middle = pin(0, "").front().contacts.at(0).max_pressure.value;
+    EXPECT_GT(middle, 100);
+    for (const char* more :
+         {"", R"(, "steps": [{"name": "a", "loads": {"heat": 0.3}}, {"name": "b", "loads": {"heat": 1}}])"}) {
+        const std::vector<Result> all = pin(0.004, more);
+        for (const Result& r : all) ASSERT_EQ(r.status, "ok") << r.message;
+        if (all.size() > 1) { EXPECT_EQ(all[0].contacts.at(0).max_pressure.value, 0); }
+        EXPECT_NEAR(all.back().contacts.at(0).max_pressure.value, middle, 0.02 * middle) << more;
+    }
+}
+
 }  // namespace
 }  // namespace abut::loose_motions_test

@@ -20,6 +20,14 @@ Result answer(const std::string& json) {
     return analyze(scene, {});
 }
 
+std::vector<Result> answer_of_cases(const std::string& json) {
+    const Scene scene = read_scene_text(json, "scene.json");
+    if (scene.cases.empty()) return {analyze(scene, {})};
+    std::vector<Result> results;
+    for (CaseResult& c : analyze_cases(scene, {})) results.push_back(std::move(c.result));
+    return results;
+}
+
 Result answer_file(const std::string& path) {
     return analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/" + path), {});
 }

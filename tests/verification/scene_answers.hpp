@@ -2,6 +2,7 @@
 // Runs scenes given as text or as files of data/, as a user would.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "src/analysis/analysis.hpp"
 
@@ -9,6 +10,8 @@ namespace abut::test {
 
 /// Analyses a scene given as JSON text.
 Result answer(const std::string& json);
+/// Analyses all cases or steps of a scene given as JSON text; one of a scene without.
+std::vector<Result> answer_of_cases(const std::string& json);
 /// Analyses a file below the source folder.
 Result answer_file(const std::string& path);
 
