@@ -114,24 +114,24 @@ public:
     FrictionPath follow() {
         const VectorXd none = VectorXd::Zero(qp_.gap.size());
         State begin{none, start_.gap, none, {}, {}};
-        const double from = go_as_unpressed(begin);
-        if (from == 1) return without_contact();
-        const Increment at_once = solve(begin, from, 1, qp_.expected);
+        from_ = go_as_unpressed(begin);
+        if (from_ == 1) return without_contact();
+        const Increment at_once = solve(begin, from_, 1, qp_.expected);
         path_.emplace(FrictionPath{at_once.answer, {0, none, none, none}});
         bool is_found = false, is_sought = false;
         if (is_at_once_) return finished();
         if (const ContactQpResult& r = at_once.answer.result; r.feasible && r.mechanism.size() == 0) {
-            if (start_.is_loaded)
+            if (start_.is_loaded && from_ == 0)
                 if (const Increment there = solve(begin, 0, 0, expected_from(at_once)); there.has_answer())
                     begin.forces = there.forces();
             approach_ = start_.gap - r.gap;
             scale_ = std::max(norm_of_pressure(begin.forces), norm_of_pressure(r.multipliers));
             const bool is_open = at_once.has_answer() && !is_pressed(begin.forces) && !is_pressed(r.multipliers);
             is_sought = !is_open;
-            if (const double rest = is_sought && from == 0 ? fall(begin, at_once) : 0; rest > 0)
+            if (const double rest = is_sought && from_ == 0 ? fall(begin, at_once) : 0; rest > 0)
                 is_found = advance(begin, rest, 1, solve(begin, rest, 1, at_once.forces()), 0).has_value();
             else
-                is_found = is_sought && advance(begin, from, 1, at_once, 0).has_value();
+                is_found = is_sought && advance(begin, from_, 1, at_once, 0).has_value();
         }
         if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none, at_once.has_answer() && is_sought}});
         return finished();
@@ -217,7 +217,7 @@ private:
         qp.gap -= origin;
         qp.drawn_gap -= origin;
         qp.expected = expected;
-        qp.asks_holding_factor = begin == 0 && end == 1;
+        qp.asks_holding_factor = begin == from_ && end == 1;
         Increment increment{std::move(origin), solve_held(qp, split_, levers_)};
         iterations_ += increment.answer.result.iterations;
         return increment;
@@ -371,9 +371,9 @@ private:
     bool is_at_once_;
     std::vector<Face> faces_;
     std::shared_ptr<KeptStates> kept_ = std::make_shared<KeptStates>();
-    double scale_ = 0;
-    VectorXd approach_{};   ///< of the rows, at once
-    VectorXd given_way_{};  ///< amplitudes by which bodies give way to the end
+    double scale_ = 0, from_ = 0;  ///< of the path: where something presses first
+    VectorXd approach_{};          ///< of the rows, at once
+    VectorXd given_way_{};         ///< amplitudes by which bodies give way to the end
     int iterations_ = 0;
     std::optional<FrictionPath> path_{};
 };

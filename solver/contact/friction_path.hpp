@@ -41,7 +41,8 @@ struct FrictionPath {
 /// turn where they change pressures (L2, relative to the largest of the path's ends) or tractions (over their bounds) by more
 /// than `tolerance` times the increment's share of the path; where an answer is not found, too. The changes add up to the
 /// error. What falls onto others under any load at all does so in a first, least increment. Before anything is known of the
-/// way, bodies go where the loads alone would take them until they touch. qp: of scaled rows, slips from the start, bodies
+/// way, bodies go where the loads alone would take them until they touch, and give way to each other, without friction, until
+/// something presses: the path begins there. qp: of scaled rows, slips from the start, bodies
 /// moved by `unheld_amplitudes`; weight: of the rows; split, levers: as of solve_held; no tolerance: the loads are put on at
 /// once. Where bodies slide, or there is no answer at the end however small the increments, it is that of one increment.
 FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const Eigen::VectorXd& weight, const MotionSplit& split,
