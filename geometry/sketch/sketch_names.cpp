@@ -90,7 +90,10 @@ std::vector<std::string> layers_of_parts(const std::vector<std::vector<const Ske
                                            [](const SketchPiece* piece) { return !piece->also_on.empty(); });
         constexpr double nearly_all = 0.7;  // of what was drawn twice pieces that others share may be missing
         keep_most_frequent(entities[k], n_outer[k], is_shared ? nearly_all : 1, possible[k]);
-        if (is_shared) keep_most_frequent(entities[k], entities[k].size(), nearly_all, possible[k]);
+        if (is_shared)
+            keep_most_frequent(entities[k], entities[k].size(), nearly_all, possible[k]);
+        else
+            possible[k].resize(1);
         std::set<std::string> seen;
         std::erase_if(possible[k], [&](const std::string& layer) { return !seen.insert(layer).second; });
         if (possible[k].size() == 1) taken.insert(possible[k].front());

@@ -21,9 +21,9 @@ std::string block_hint(const SketchPiece& entity);
 /// The layer that most of the entities are on; of several the first one's.
 std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline);
 
-/// The layer of each of several parts: that which most of its outer edges are drawn on, or where that leaves several, most of
-/// all its edges, or one that is not another part's alone; of these the one that fewest parts may be on, or the first. An edge
-/// that is drawn on several is on each of them. entities: by part and edge; n_outer: by part, its outer edges, the first of
+/// The layer of each of several parts: that which most of its outer edges are drawn on, the first of several. Where some are
+/// drawn on several layers: one that nearly all of them and of all its edges are on, no other part's alone if that can be, and
+/// of these the one that fewest parts may be on. entities: by part and edge; n_outer: by part, its outer edges, the first of
 /// all.
 std::vector<std::string> layers_of_parts(const std::vector<std::vector<const SketchPiece*>>& entities,
                                          const std::vector<std::size_t>& n_outer);
