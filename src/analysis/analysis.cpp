@@ -70,6 +70,22 @@ std::string holding_friction(const Outcome& out) {
     return ". Coefficients of friction " + number_beside(factor, 1, 4) + " times as large would hold it";
 }
 
+/// Where a part slides by so little of the loads that the digits of its drawing may be why.
+std::string small_drive(const SolvedAssembly& solved) {
+    constexpr double small = 1e-4;  // of the largest load: four digits of a size
+    const std::vector<solver::PartMotion>& mechanism = solved.solution.mechanism;
+    if (mechanism.size() != 1 || solved.grids[at(mechanism.front().part)].is_rigid) return "";
+    const solver::PartMotion& m = mechanism.front();
+    const PartOnGrid& g = solved.grids[at(m.part)];
+    const double way = m.motion.translation.norm(),
+                 work = coefficients_of(g.input.space, m.motion).dot(solved.problem.parts[at(m.part)].load);
+    if (std::abs(m.motion.rotation) * g.size > small * way || !(std::abs(work) < small * way * solved.problem.load_scale))
+        return "";
+    return ", by " + number_text(std::abs(work) / (way * solved.problem.load_scale), 2) +
+           " of the largest load: of the size of what coordinates with few digits incline faces by; give friction, or more "
+           "digits";
+}
+
 void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;
     result.status = "failed";
@@ -82,7 +98,7 @@ void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
     result.driven = twists_of(solved, solved.solution.mechanism);
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
-        holding_friction(out) +
+        small_drive(solved) + holding_friction(out) +
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
     if (const std::string rigid = rigid_stops(scene, out.candidates, solved); !rigid.empty()) result.message += ". " + rigid;
     if (const std::string touches = unpaired_touches(scene); !touches.empty())

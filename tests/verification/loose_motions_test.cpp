@@ -181,5 +181,27 @@ TEST(LooseMotions, WhatTouchesFirstGivesWayWithoutFriction) {
     }
 }
 
+/// With three decimals the slope is inclined to the load by more than rounding: the block slides, and it is said by how little.
+TEST(LooseMotions, AFewDigitsMayDriveAPartAndThatIsSaid) {
+    const auto at = [](double x, double y) {
+        const double a = 17 * 3.141592653589793 / 180, c = std::cos(a), s = std::sin(a);
+        return test::pair_text(std::round((c * x - s * y) * 1e3) / 1e3, std::round((s * x + c * y) * 1e3) / 1e3);
+    };
+    const auto block = [&](const char* name, double x0, double y0, double x1, double y1) {
+        return R"({"name": ")" + std::string(name) + R"(", "material": "m", "geometry": {"polygon": [)" + at(x0, y0) + ", " +
+               at(x1, y0) + ", " + at(x1, y1) + ", " + at(x0, y1) + "]}}";
+    };
+    const auto pressed = [&](const char* more) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)" +
+                            block("A", 0, 0, 100, 20) + ", " + block("B", 17.3, 20, 61.7, 50) +
+                            R"(], "supports": [{"on": "A/e0", "fix": ["x", "y"]}], "loads": [{"on": "B/e2", "pressure": 5}])" +
+                            more + "}");
+    };
+    const Result slides = pressed("");
+    EXPECT_NE(slides.status, "ok");
+    EXPECT_NE(slides.message.find("of the largest load"), std::string::npos) << slides.message;
+    EXPECT_EQ(pressed(R"(, "contacts": {"friction": 0.1})").status, "ok");
+}
+
 }  // namespace
 }  // namespace abut::loose_motions_test
