@@ -38,7 +38,7 @@ std::set<std::string> layers_of_loose_lines(const std::vector<SketchEntity>& ent
         const auto [found, is_new] = layers.try_emplace(entity.layer);
         if (is_new) {
             const auto kind = drafting_layer(entity.layer);
-            found->second.is_loose = kind && !kind->is_sure;
+            found->second.is_loose = kind && !kind->is_sure && kind->kind != "holes";
         }
         if (found->second.is_loose) found->second.add(entity.curve);
     }

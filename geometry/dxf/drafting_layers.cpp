@@ -88,4 +88,9 @@ std::optional<DraftingLayer> drafting_layer(std::string_view name) {
     return found == table.kinds.end() ? std::nullopt : std::optional(found->second);
 }
 
+bool says_holes(std::string_view name) {
+    const std::optional<DraftingLayer> layer = drafting_layer(name);
+    return layer && (layer->kind == "holes" || layer->kind == "thread lines");
+}
+
 }  // namespace abut::geometry::dxf

@@ -10,7 +10,7 @@ namespace abut::geometry::dxf {
 
 /// What a layer's name says that it holds.
 struct DraftingLayer {
-    std::string kind;      ///< "hidden lines", "dimensions", "the sheet"
+    std::string kind;      ///< "hidden lines", "dimensions", "the sheet"; "holes" are outlines all the same
     bool is_sure = false;  ///< otherwise the word may as well name a part (axis, frame, table)
 };
 
@@ -18,6 +18,9 @@ struct DraftingLayer {
 /// without regard to case, blanks, hyphens, underscores, what an external reference puts before them ("file|CENTER"), numbers,
 /// and the prefixes and suffixes of programs and standards ("Hatch (ISO)", "01-Mittellinien", "SLD-Border").
 std::optional<DraftingLayer> drafting_layer(std::string_view name);
+
+/// Does the name of a layer or block say that what closes on it is a hole, or its thread?
+bool says_holes(std::string_view name);
 
 /// The table, as the file holds it.
 const char* drafting_layers_text();

@@ -4,6 +4,9 @@
 // it (dxf_dimensions).
 #include "geometry/dxf/dxf.hpp"
 
+#include <set>
+
+#include "geometry/dxf/drafting_layers.hpp"
 #include "geometry/dxf/dxf_blocks.hpp"
 #include "geometry/dxf/dxf_dimensions.hpp"
 #include "geometry/dxf/dxf_prepass.hpp"
@@ -41,6 +44,13 @@ Drawing drawing_of(const dxf::Structure& structure, const LayerFilter& layers) {
     drawing.warnings = structure.warnings;
     dxf::add_model_space(structure, layers, drawing);
     dxf::tell_other_dimensions(structure, drawing);
+    std::set<std::string> names;
+    for (const SketchEntity& entity : drawing.entities) {
+        names.insert(entity.layer);
+        names.insert(entity.block);
+    }
+    for (const std::string& name : names)
+        if (dxf::says_holes(name.substr(name.rfind('/') + 1))) drawing.hole_layers.insert(name);
     return drawing;
 }
 

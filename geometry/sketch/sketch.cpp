@@ -234,7 +234,8 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
         const int first_number = static_cast<int>(sketch.regions.size()) + 1;
         const std::vector<Hatch> own = hatches_of(groups[g], groups, hatches);
         add_parts(name, closed[g],
-                  {own, options.regions, first_number, !name.empty(), options.parts_by == PartsBy::automatic, of_groups, g},
+                  {own, options.regions, first_number, !name.empty(), options.parts_by == PartsBy::automatic,
+                   drawing.hole_layers, of_groups, g},
                   sketch, found, region_parts);
     }
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
@@ -294,30 +295,28 @@ bool closes_more(const SketchParts& sketch, const SketchParts& other) {
     return sketch.open_length < (1 - same) * other.open_length;
 }
 
-/// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold
-/// holes by their names, or the
-/// holes of one of them.
+/// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold holes of
+/// others: by their names, or where all but one lie in the material of that.
 SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
     const Drawing& drawing = lines.drawing;
     const double coincidence = touching_fraction * box_of(drawing.entities).diagonal();
     const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
     const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
     const bool are_holes = is_inside && !is_assembly;
-    if (const auto holes = std::find_if(by_layer.layers.begin(), by_layer.layers.end(), says_holes);
-        holes != by_layer.layers.end())
-        if (SketchParts by_loop = sketch_by(lines, options, PartsBy::loop); is_whole(by_loop))
-            return with_reason(std::move(by_loop), why + ", of which " + *holes + " holds holes");
-    if (!are_holes && is_whole(by_layer))
+    const auto named = std::find_if(by_layer.layers.begin(), by_layer.layers.end(),
+                                    [&](const std::string& layer) { return drawing.hole_layers.contains(layer); });
+    const bool has_named = named != by_layer.layers.end();
+    if (!are_holes && !has_named && is_whole(by_layer))
         return with_reason(
             std::move(by_layer),
             is_assembly ? why + "; one is drawn behind all others, as the frame of a sheet is: ignore it then" : why);
     SketchParts by_loop = sketch_by(lines, options, PartsBy::loop);
+    if (has_named && is_whole(by_loop)) return with_reason(std::move(by_loop), why + ", of which " + *named + " holds holes");
     const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
                                          : why + ", but not all close without what is on other layers";
     const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
-    if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only) {
+    if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only)
         return with_reason(std::move(by_loop), reason);
-    }
     return with_reason(std::move(by_layer), why);
 }
 

@@ -2,6 +2,7 @@
 // Drawings: unordered entities out of a file, and the parts that they bound.
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,7 @@ struct Drawing {
     std::vector<Hatch> hatches;
     std::vector<Insertion> insertions;         ///< of blocks of which something is drawn, each after the one that it stands in
     std::vector<std::string> drafting_layers;  ///< those that were left out for their names
+    std::set<std::string> hole_layers;         ///< layers, and blocks, whose names say that they hold holes
     std::vector<Repair> repairs;               ///< of meshes: what was mended, arcs recovered, the plane moved
     std::string replaced_unit;                 ///< what the file states, where an option says that `unit` is meant
 };

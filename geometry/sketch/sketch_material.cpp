@@ -80,7 +80,7 @@ struct Decision {
     bool is_on_layer_of_its_own(int i) const {
         const std::set<std::string>& on = drawn_on[0][at(i)];
         if (!hints.layers_tell || on.size() != 1 || outer_layers.size() < 2 || outer_layers.contains(*on.begin()) ||
-            says_holes(*on.begin()))
+            hints.hole_layers.contains(*on.begin()))
             return false;
         for (std::size_t k = 0; k < regions.size(); ++k)
             if (regions[k].around == i && is_foreign(static_cast<int>(k), false)) return false;
@@ -330,7 +330,7 @@ struct Decision {
                 if (!is_foreign(number, by_block)) continue;
                 const std::string of = by_block ? "block " : "layer ", on = mostly_on(own, by_block),
                                   around = mostly_on(regions[at(own.around)], by_block);
-                if (on.empty() || (!own.is_filled && says_holes(on))) continue;
+                if (on.empty() || (!own.is_filled && hints.hole_layers.contains(on))) continue;
                 found[{own.is_filled, of + on, around.empty() ? "no block" : of + around}].push_back(static_cast<int>(i));
                 break;
             }

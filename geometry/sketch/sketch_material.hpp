@@ -2,6 +2,7 @@
 // Which areas that outlines bound are material.
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct MaterialHints {
     int first_number = 1;                               ///< of the first region
     bool is_one_part = false;  ///< do the outlines belong to one part (a layer's)? Then what is drawn twice is so by mistake.
     bool layers_tell = false;  ///< may layers separate the parts? Not where the user says that each outline is a part.
+    const std::set<std::string>& hole_layers;           ///< of the drawing
     const std::vector<std::vector<Region>>& of_groups;  ///< outlines of all groups where what is hatched may be another's
     std::size_t group = 0;                              ///< these outlines' own
 };

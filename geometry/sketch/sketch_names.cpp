@@ -2,7 +2,6 @@
 #include "geometry/sketch/sketch_names.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -33,14 +32,6 @@ bool matches_glob(std::string_view name, std::string_view pattern) {
     }
     while (k < p.size() && p[k] == '*') ++k;
     return k == p.size();
-}
-
-bool says_holes(const std::string& name) {
-    constexpr std::array words{"hole",   "bohr", "bore", "drill",  "loch",   "cut",     "ausschnitt", "gewinde",
-                               "thread", "tap",  "slot", "pocket", "tasche", "percage", "trou",       "foro"};
-    std::string lower;
-    for (const char c : name) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return std::any_of(words.begin(), words.end(), [&](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
 std::string block_hint(const SketchPiece& entity) {

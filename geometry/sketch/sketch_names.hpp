@@ -12,9 +12,6 @@ namespace abut::geometry {
 /// Does the name match the pattern, in which * stands for any characters and ? for one? Case does not matter.
 bool matches_glob(std::string_view name, std::string_view pattern);
 
-/// Does the name of a layer or block say that it holds holes?
-bool says_holes(const std::string& name);
-
 /// What may help where lines of a block have no areas of their own; empty where the entity stands in none.
 std::string block_hint(const SketchPiece& entity);
 

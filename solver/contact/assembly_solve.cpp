@@ -372,14 +372,9 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     if (!attempt.is_balanced) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
     std::optional<FrictionPath> path;
-    VectorXd unheld = VectorXd::Zero(qp.modes.cols());
-    if (!qp.friction.empty()) {
-        const PathStart start_of_path = path_start(problem, all, qp.modes);
-        unheld = unheld_amplitudes(problem.parts, threads);
-        move_bodies(unheld, qp);
-        path = follow_path(qp, start_of_path, rows.weight, split, levers, problem.path_tolerance);
-        if (path->moved.size() > 0) unheld += path->moved;
-    }
+    if (!qp.friction.empty())
+        path = follow_path(qp, path_start(problem, all, qp.modes), unheld_amplitudes(problem.parts, threads), rows.weight,
+                           split, levers, problem.path_tolerance);
     if (path && problem.path_tolerance) attempt.on_way = std::move(path->way);
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
     solution.iterations = path ? path->iterations : held.result.iterations;
@@ -412,7 +407,8 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
             solution.residual = std::max(solution.residual, (levers.transpose() * answer.forces).cwiseAbs().maxCoeff() /
                                                                 force_scale(held.qp, answer.forces));
     }
-    const VectorXd amplitudes = unheld + held.held * (answer.settled + answer.motion);
+    VectorXd amplitudes = held.held * (answer.settled + answer.motion);
+    if (path) amplitudes += path->moved;
     add_rigid_motions(problem, amplitudes, solution);
     if (held.held.cols() > split.resisted.cols()) solution.amplitudes = by_part(problem.parts, amplitudes);
     attempt.answered.multipliers = answer.forces.cwiseQuotient(rows.weight);

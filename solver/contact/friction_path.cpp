@@ -66,6 +66,13 @@ std::vector<Face> faces_of(const std::vector<FrictionRow>& friction) {
     return faces;
 }
 
+/// Takes amplitudes of all motions into the gaps.
+void move_bodies(const VectorXd& amplitudes, ContactQp& qp) {
+    const VectorXd opened = qp.modes * amplitudes;
+    qp.gap += opened;
+    qp.drawn_gap += opened;
+}
+
 /// Motions that only contact resists, by which bodies give way.
 class GivingWay {
 public:
@@ -418,15 +425,12 @@ VectorXd unheld_amplitudes(const std::vector<PartSystem>& parts, int threads) {
     return least_amplitudes(parts, displacement);
 }
 
-void move_bodies(const VectorXd& amplitudes, ContactQp& qp) {
-    const VectorXd opened = qp.modes * amplitudes;
-    qp.gap += opened;
-    qp.drawn_gap += opened;
-}
-
-FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split,
-                         const MatrixXd& levers, std::optional<double> tolerance) {
-    return Path(qp, start, weight, split, levers, tolerance).follow();
+FrictionPath follow_path(ContactQp qp, const PathStart& start, const VectorXd& unheld, const VectorXd& weight,
+                         const MotionSplit& split, const MatrixXd& levers, std::optional<double> tolerance) {
+    move_bodies(unheld, qp);
+    FrictionPath path = Path(qp, start, weight, split, levers, tolerance).follow();
+    path.moved = path.moved.size() > 0 ? VectorXd(unheld + path.moved) : unheld;
+    return path;
 }
 
 }  // namespace abut::solver

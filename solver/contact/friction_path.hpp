@@ -15,10 +15,8 @@ struct PathStart {
 PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::MatrixXd& modes);
 
 /// The amplitudes of free motions by which bodies move least under their loads alone: where they would be, if nothing held
-/// them. What touches on the way sticks there, so that a path's problem counts amplitudes from these.
+/// them. What touches on the way sticks there.
 Eigen::VectorXd unheld_amplitudes(const std::vector<PartSystem>& parts, int threads);
-/// Takes them into the gaps of a problem of all motions.
-void move_bodies(const Eigen::VectorXd& amplitudes, ContactQp& qp);
 
 /// What comes together on a path.
 struct OnWay {
@@ -33,7 +31,7 @@ struct FrictionPath {
     HeldAnswer end;
     OnWay way;
     int iterations = 0;
-    Eigen::VectorXd moved{};  ///< amplitudes that come to those of `end`, where nothing presses; empty: none
+    Eigen::VectorXd moved{};  ///< amplitudes that come to those of `end`
 };
 
 /// Follows a path in increments: each is one problem in which slips count from where the one before ended, so that what comes
@@ -42,10 +40,10 @@ struct FrictionPath {
 /// than `tolerance` times the increment's share of the path; where an answer is not found, too. The changes add up to the
 /// error. What falls onto others under any load at all does so in a first, least increment. Before anything is known of the
 /// way, bodies go where the loads alone would take them until they touch, and give way to each other, without friction, until
-/// something presses: the path begins there. qp: of scaled rows, slips from the start, bodies
-/// moved by `unheld_amplitudes`; weight: of the rows; split, levers: as of solve_held; no tolerance: the loads are put on at
+/// something presses: the path begins there. qp: of scaled rows, slips from the start; unheld:
+/// unheld_amplitudes of its loads; weight: of the rows; split, levers: as of solve_held; no tolerance: the loads are put on at
 /// once. Where bodies slide, or there is no answer at the end however small the increments, it is that of one increment.
-FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const Eigen::VectorXd& weight, const MotionSplit& split,
-                         const Eigen::MatrixXd& levers, std::optional<double> tolerance);
+FrictionPath follow_path(ContactQp qp, const PathStart& start, const Eigen::VectorXd& unheld, const Eigen::VectorXd& weight,
+                         const MotionSplit& split, const Eigen::MatrixXd& levers, std::optional<double> tolerance);
 
 }  // namespace abut::solver

@@ -118,23 +118,18 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load, const Vec
     ContactQp all = qp_;
     all.modes = modes_;
     all.mode_load = mode_load;
-    const bool has_way = !all.friction.empty() && problem_.path_tolerance;
-    VectorXd unheld = VectorXd::Zero(modes_.cols());
-    if (has_way) {
-        unheld = unheld_ + unheld_of_loads_ * factors;
-        move_bodies(unheld, all);
-    }
     std::optional<FrictionPath> path;
-    if (has_way)
-        path =
-            follow_path(all, path_start(problem_, rows_, modes_), rows_.rows.weight, split_, levers_, *problem_.path_tolerance);
-    if (path && path->moved.size() > 0) unheld += path->moved;
+    if (!all.friction.empty() && problem_.path_tolerance)
+        path = follow_path(all, path_start(problem_, rows_, modes_), unheld_ + unheld_of_loads_ * factors, rows_.rows.weight,
+                           split_, levers_, *problem_.path_tolerance);
     HeldAnswer held = path ? std::move(path->end) : solve_held(all, split_, levers_);
     if (held.result.mechanism.size() > 0) return {held.result, held.held * held.result.mechanism};
     if (levers_.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))
             held.result.multipliers = *forces;
-    return {held.result, unheld + held.held * held.result.amplitudes()};
+    VectorXd amplitudes = held.held * held.result.amplitudes();
+    if (path) amplitudes += path->moved;
+    return {held.result, amplitudes};
 }
 
 LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load, const VectorXd& factors) {

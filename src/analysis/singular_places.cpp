@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "src/base/index.hpp"
@@ -115,13 +114,11 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
             }
         }
     }
-    std::map<std::pair<double, bool>, double> growths;
-    for (const End& end : ends) {
-        if (end.is_limited || end.portions != 1) continue;
-        const auto [known, is_new] = growths.try_emplace({end.turn, end.is_clamped});
-        if (is_new) known->second = end.is_clamped ? growth_at_clamp(end.turn, kolosov(elasticity)) : growth_at_guide(end.turn);
-        places.push_back({end.at, at_support_end(end.turn), false, known->second, true});
-    }
+    for (const End& end : ends)
+        if (!end.is_limited && end.portions == 1)
+            places.push_back({end.at, at_support_end(end.turn), false,
+                              end.is_clamped ? growth_at_clamp(end.turn, kolosov(elasticity)) : growth_at_guide(end.turn),
+                              true});
 }
 
 /// Has a butt joint that a straight boundary passes square, of these materials, stresses without a limit there (Bogy, J. Appl.
@@ -178,17 +175,25 @@ bool goes_on_in_mirror(const Scene& scene, const ResolvedConditions& conditions,
 }  // namespace
 
 double growth_at_clamp(double turn, double kappa) {
-    constexpr int steps = 1000;
+    constexpr int steps = 100, bisections = 20;
     const double w = std::numbers::pi - turn;
+    const auto left = [&](double lambda) {
+        return 0.25 * (kappa + 1) * (kappa + 1) - std::pow(lambda * std::sin(w), 2) - kappa * std::pow(std::sin(lambda * w), 2);
+    };
     double nearest = 1, least = std::numeric_limits<double>::infinity();
-    for (int k = 1; k < steps && least > 0; ++k) {
-        const double lambda = static_cast<double>(k) / steps, left = 0.25 * (kappa + 1) * (kappa + 1) -
-                                                                     std::pow(lambda * std::sin(w), 2) -
-                                                                     kappa * std::pow(std::sin(lambda * w), 2);
-        if (left < least) nearest = lambda;
-        least = std::min(least, left);
+    for (int k = 1; k <= steps; ++k) {
+        const double lambda = static_cast<double>(k) / steps, here = left(lambda);
+        if (here < least) nearest = lambda;
+        least = std::min(least, here);
+        if (least > 0) continue;
+        double low = lambda - 1.0 / steps, high = lambda;
+        for (int i = 0; i < bisections; ++i) {
+            const double middle = 0.5 * (low + high);
+            (left(middle) > 0 ? low : high) = middle;
+        }
+        return 1 - low;
     }
-    return nearest < 1 - 1.5 / steps ? 1 - nearest : 0;
+    return 1 - nearest;
 }
 
 double turn_at(const geometry::Part& part, const Vec2& place) {

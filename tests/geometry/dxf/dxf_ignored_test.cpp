@@ -80,6 +80,15 @@ TEST(DxfIgnored, KnowsConstructionLinesByLineTypeAndLayer) {
         EXPECT_TRUE(ignored_of(dxf_line("2", name, 0, 0, 1, 1)).empty()) << name;
 }
 
+TEST(DxfIgnored, LayersOfHolesAreKnownByWholeWords) {
+    const auto holes = [](const char* layer) {
+        return !read_drawing(dxf_file(dxf_circle("1", layer, 0, 0, 1))).hole_layers.empty();
+    };
+    for (const char* layer : {"HOLES", "Bohrungen", "02-drill-holes", "Langl\u00f6cher", "Gewinde", "CUTOUT"})
+        EXPECT_TRUE(holes(layer)) << layer;
+    for (const char* layer : {"CUTTER", "Tape", "Borehead", "PLATE", "0", "Slotted nut"}) EXPECT_FALSE(holes(layer)) << layer;
+}
+
 TEST(DxfIgnored, GivesColoursByLayer) {
     const std::string layers = dxf_section("TABLES", "0\nLAYER\n2\nA\n62\n3\n0\nLAYER\n2\nB\n62\n99999\n");
     const auto color = [&](const char* layer, std::initializer_list<std::pair<int, double>> more) {

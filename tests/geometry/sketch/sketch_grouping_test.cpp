@@ -103,8 +103,9 @@ TEST(SketchGrouping, APinOnALayerOfItsOwnIsAPartWhereLayersSeparateParts) {
         warns(sketch, "outlines on layer PIN lie in the material of what is on layer B, and are taken as parts that fit"));
     // a layer of holes holds none, nor is a ring around what another layer has in its hole one, nor where outlines are the
     // parts
-    const SketchParts bored =
-        parts_by(square_with_post() + Entities{drawn_circle({5, 20}, 1, "c", "BOHRUNG")}, PartsBy::automatic);
+    Drawing with_holes = drawing_of(square_with_post() + Entities{drawn_circle({5, 20}, 1, "c", "BOHRUNG")});
+    with_holes.hole_layers = {"BOHRUNG"};
+    const SketchParts bored = parts_of(with_holes, {});
     EXPECT_EQ(part_names(bored), (Names{"A", "B"}));
     EXPECT_NEAR(total_area(bored), 100 + 120 - pi, 1e-9);
     EXPECT_FALSE(warns(bored, "BOHRUNG"));

@@ -46,8 +46,8 @@ struct Springs {
 
     FrictionPath follow(std::optional<double> tolerance = 0.005) const {
         const MatrixXd none(0, 0);
-        return follow_path(qp, start, VectorXd::Ones(qp.gap.size()), {none, none, none}, MatrixXd::Zero(qp.gap.size(), 0),
-                           tolerance);
+        return follow_path(qp, start, VectorXd::Zero(qp.modes.cols()), VectorXd::Ones(qp.gap.size()), {none, none, none},
+                           MatrixXd::Zero(qp.gap.size(), 0), tolerance);
     }
 };
 
@@ -136,7 +136,7 @@ TEST(FrictionPath, WhatFallsOnOthersDoesSoInOneIncrement) {
     body.start.mode_load = VectorXd{{0}};
     const MatrixXd one = MatrixXd::Identity(1, 1), none(1, 0);
     const FrictionPath path =
-        follow_path(body.qp, body.start, VectorXd::Ones(2), {one, none, none}, MatrixXd::Zero(2, 0), 0.005);
+        follow_path(body.qp, body.start, VectorXd::Zero(1), VectorXd::Ones(2), {one, none, none}, MatrixXd::Zero(2, 0), 0.005);
     const VectorXd forces = forces_of(path);
     EXPECT_NEAR(forces[0], 1, 1e-12);
     EXPECT_NEAR(forces[1], -0.3, 1e-12);
