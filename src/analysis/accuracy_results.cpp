@@ -306,6 +306,14 @@ double missing_of_contacts(const Result& result, const ErrorEstimate& error, con
     return strongest > 0 ? most / strongest : 0;
 }
 
+/// The largest error of the pressure and the traction of a part's contacts with friction.
+double missing_of_tractions(const Result& result, const std::string& part) {
+    double most = 0;
+    for (const ContactResult& c : result.contacts)
+        if (c.friction && c.errors && (c.parts[0] == part || c.parts[1] == part)) most = std::max(most, c.errors->pressure);
+    return most;
+}
+
 }  // namespace
 
 void fill_displacement_errors(const Outcome& out, Result& result) {
@@ -324,6 +332,9 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
         // what lifts off goes by where its contacts end, of which energies know little
         if (k < error.moved.size())
             own = std::max(own, missing_of_moves(result, error, p.name) * error.moved[k] / p.max_displacement.value);
+        // what friction keeps of steps before does no work under the loads: it errs as the tractions that keep it
+        if (const double missing = missing_of_tractions(result, p.name); missing > 0)
+            own = std::max(own, missing * displacement_in_step(out.solved, k) / p.max_displacement.value);
         p.max_displacement_error = std::min(1.0, own);
     }
     if (result.accuracy.of != "contact pressure" || energy <= result.accuracy.target) return;

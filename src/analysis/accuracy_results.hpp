@@ -24,8 +24,8 @@ void fill_missed(const Outcome& out, Result& result);
 
 /// Fills in the estimated errors of the largest displacements. Forces given, the energy is half of what they work, and
 /// displacements err like it: those of parts with supports of their own like the part's energy, or the forces on it; of others
-/// by as much in absolute terms as the largest of all. Warns where contact pressures reached a target that the energy did not.
-/// Call with the parts filled in.
+/// by as much in absolute terms as the largest of all. What friction keeps of steps before errs as its tractions. Warns where
+/// contact pressures reached a target that the energy did not. Call with the parts and the contacts' errors filled in.
 void fill_displacement_errors(const Outcome& out, Result& result);
 
 /// Adds to the errors of largest stresses where contact presses: what they differ by from the pressure on the face there, and

@@ -114,15 +114,25 @@ std::vector<Vec2> moved_edges(const PartOnGrid& g, const Eigen::VectorXd& displa
     return moved;
 }
 
+double largest_difference(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+    double most = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, (a[k] - b[k]).norm());
+    return most;
+}
+
 }  // namespace
 
 double change_of_displacement(const PassRecord& now, const PassRecord& before, std::size_t grid) {
     if (grid >= now.moved.size() || grid >= before.moved.size() || now.moved[grid].size() != before.moved[grid].size())
         return 0;
-    double most = 0;
-    for (std::size_t k = 0; k < now.moved[grid].size(); ++k)
-        most = std::max(most, (now.moved[grid][k] - before.moved[grid][k]).norm());
-    return most;
+    return largest_difference(now.moved[grid], before.moved[grid]);
+}
+
+double displacement_in_step(const SolvedAssembly& solved, std::size_t grid) {
+    if (solved.problem.before.empty()) return 0;
+    const PartOnGrid& g = solved.grids[grid];
+    return largest_difference(moved_edges(g, solved.solution.displacement[grid]),
+                              moved_edges(g, solved.problem.before[grid].displacement));
 }
 
 PassRecord record_of(const SolvedAssembly& solved, double seconds) {

@@ -45,6 +45,9 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds);
 /// The largest difference of two passes' displacements along a part's edges.
 double change_of_displacement(const PassRecord& now, const PassRecord& before, std::size_t grid);
 
+/// The largest displacement along a part's edges since the state before, of a step; zero where there is none before.
+double displacement_in_step(const SolvedAssembly& solved, std::size_t grid);
+
 /// A change in one interval of a pressure's knots, without the neighbourhoods of corners and of free ends.
 struct LocalChange {
     double square = 0;      ///< of the difference, integrated

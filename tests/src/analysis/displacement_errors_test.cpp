@@ -94,4 +94,23 @@ TEST(DisplacementErrors, AreThoseOfEachAssemblyWhereSeveralStandSideBySide) {
     }
 }
 
+/// A bar held by friction all along (nu = 0, pressure by a prescribed closing) is pulled at its end and let go. It slips back
+/// on half the length, and half of its displacement stays: without a load, so that no energy knows of it.
+TEST(DisplacementErrors, KnowOfWhatFrictionKeeps) {
+    const std::vector<Result> steps = test::answer_of_cases(R"({"abut": 1, "materials": {"S": {"E": 210000, "nu": 0}},
+        "parts": [{"name": "bar", "material": "S", "geometry": {"rectangle": {"min": [0, 0], "max": [100, 1]}}},
+                  {"name": "base", "material": "rigid", "geometry": {"rectangle": {"min": [-10, -10], "max": [110, 0]}}}],
+        "supports": [{"part": "base", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"on": "bar/top", "displacement": {"y": -2.380952380952381e-05}}],
+        "loads": [{"name": "P", "on": "bar/right", "force": [60, 0]}], "contacts": {"friction": 0.3},
+        "steps": [{"name": "clamp", "loads": {"P": 0}}, {"name": "pull", "loads": {"P": 1}},
+                  {"name": "release", "loads": {"P": 0}}]})");
+    ASSERT_EQ(steps.size(), 3u);
+    ASSERT_EQ(steps.back().status, "ok") << steps.back().message;
+    const PartResult &pulled = steps[1].parts.front(), &released = steps[2].parts.front();
+    const double truth = pulled.max_displacement.value / 2, error = std::abs(released.max_displacement.value / truth - 1);
+    EXPECT_LE(error, *released.max_displacement_error + *pulled.max_displacement_error);
+    EXPECT_LE(*released.max_displacement_error, 0.05);
+}
+
 }  // namespace abut::displacement_errors_test
