@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "src/analysis/analysis.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/read_scene.hpp"
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut::friction_analysis_test {
 namespace {
@@ -310,6 +312,45 @@ TEST(FrictionAnalysis, ARollerThatIsTouchedLateIsWhereItWasDrawn) {
     for (const std::size_t k : {0, 2}) EXPECT_NEAR(r.contacts[k].friction->normal_force, 1477, 0.01 * 1477);
     for (const std::size_t k : {1, 3}) EXPECT_NEAR(r.contacts[k].friction->normal_force, 4523, 0.01 * 4523);
     for (const ContactResult& c : r.contacts) EXPECT_LT(std::abs(c.friction->shear_force), 0.01);
+}
+
+/// Six tubes heaped between walls under their weight. Their contacts are a hundredth as wide as the first cells, into whose
+/// mean gaps bodies would sink farther than they yield, rolling and slipping on the way.
+TEST(FrictionAnalysis, HeapsRestWhereTheyTouch) {
+    const auto heap = [](const std::string& level) {
+        std::string discs;
+        for (int row = 0; row < 3; ++row)
+            for (int k = 0; k < 3 - row; ++k)
+                discs += R"({"name": "d)" + std::to_string(row) + std::to_string(k) +
+                         R"(", "material": "S", "geometry": {"circle": {"center": )" +
+                         test::pair_text(10 + 10 * row + 20 * k, 10 + 10 * std::sqrt(3.0) * row) + R"(, "radius": 10}}}, )";
+        return test::answer(
+            R"({"abut": 1, "materials": {"S": {"E": 210000, "nu": 0.3, "density": 7.85e-9}}, "thickness": 10,
+            "parts": [)" +
+            discs +
+            R"({"name": "floor", "material": "S", "geometry": {"rectangle": {"min": [-20, -20], "max": [80, 0]}}},
+            {"name": "left", "material": "S", "geometry": {"rectangle": {"min": [-20, 0], "max": [0, 60]}}},
+            {"name": "right", "material": "S", "geometry": {"rectangle": {"min": [60, 0], "max": [80, 60]}}}],
+            "supports": [{"on": ["floor/bottom", "left/left", "right/right"], "fix": ["x", "y"]}],
+            "loads": [{"gravity": [0, -9810]}], "contacts": {"friction": 0.2}, "accuracy": {"level": ")" +
+            level + "\"}}");
+    };
+    const Result r = heap("standard"), draft = heap("draft");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_TRUE(r.accuracy.reached);
+    EXPECT_LT(r.solver.contact_iterations, 2000) << "9000 where they sink";
+    const auto force = [](const Result& result, const std::string& a, const std::string& b) {
+        for (const ContactResult& c : result.contacts)
+            if (c.parts[0] == a && c.parts[1] == b) return c.force;
+        return Vec2(NAN, NAN);
+    };
+    const double weight = 9810 * 7.85e-9 * std::numbers::pi * 100 * 10;
+    const Vec2 left = force(r, "d00", "floor"), middle = force(r, "d01", "floor"), right = force(r, "d02", "floor"),
+               from_left = force(r, "d00", "left"), from_right = force(r, "d02", "right");
+    EXPECT_NEAR(left.y() + middle.y() + right.y() + from_left.y() + from_right.y(), 6 * weight, 1e-3 * weight);
+    EXPECT_NEAR(from_left.x(), -from_right.x(), 0.01 * weight);
+    EXPECT_NEAR(left.y(), right.y(), 0.01 * weight);
+    EXPECT_NEAR(left.y(), force(draft, "d00", "floor").y(), 0.05 * weight);
 }
 
 namespace {
