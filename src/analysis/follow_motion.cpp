@@ -66,10 +66,15 @@ bool is_paired_astray(const Scene& scene, const Outcome& out) {
     return false;
 }
 
-/// Where a solution has all parts.
-std::vector<Placement> motions_of(const Scene& scene, const SolvedAssembly& solved) {
+/// Where a solution has all parts. Those that are led by edges have no motion of their own.
+std::vector<Placement> motions_of(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved) {
     std::vector<Placement> placements(scene.parts.size());
+    const Leads leads = leads_of(scene, conditions);
+    for (std::size_t i = 0; i < placements.size(); ++i)
+        if (const Lead& lead = leads.of[i]; lead.goes_anywhere())
+            placements[i] = about_center(centroid(scene.parts[i].part), lead.translation(lead.to.head<2>()), lead.to[2]);
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        if (solved.problem.parts[k].free_motions.empty()) continue;
         const solver::RigidMotion m = rigid_motion_of(solved, k);
         placements[at(solved.grids[k].part)] = about_center(m.center, m.translation, m.rotation);
     }
@@ -100,8 +105,9 @@ double share_not_explained(const Scene& drawn, const std::vector<Placement>& mot
 
 /// Do the parts of a solution move as their placements say, but for half of it? What else they move by is elastic, and would
 /// have them paired astray from there as well.
-bool is_explained_by(const Scene& drawn, const std::vector<Placement>& placements, const SolvedAssembly& solved) {
-    return share_not_explained(drawn, motions_of(drawn, solved), placements) <= 0.5;
+bool is_explained_by(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements,
+                     const SolvedAssembly& solved) {
+    return share_not_explained(drawn, motions_of(drawn, conditions, solved), placements) <= 0.5;
 }
 
 /// Do supports lead a part farther than pairs as drawn are good for?
@@ -112,16 +118,41 @@ bool are_led_far(const Scene& drawn, const ResolvedConditions& conditions) {
     return false;
 }
 
+constexpr double noted = 1e-3;  // of a part's size: nearer by, pairs and lines of force are as drawn
+
+/// Do parts that something stops on the way that supports lead them touch others there that they had nothing to do with where
+/// they are drawn? A solution from there has them go through these.
+bool meet_others(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements,
+                 const std::vector<Candidate>& as_drawn) {
+    const Leads leads = leads_of(drawn, conditions);
+    const auto is_stopped = [&](int i) {
+        const geometry::Part& part = drawn.parts[at(i)].part;
+        const Vec2 center = centroid(part);
+        const Lead& lead = leads.of[at(i)];
+        const double size = bounding_box(part).diagonal();
+        Eigen::Vector3d left = lead.to - lead.of(placements[at(i)].of(center) - center, placements[at(i)].angle);
+        for (std::size_t k = 0; k < lead.is_given.size(); ++k)
+            if (!lead.is_given[k]) left[static_cast<Eigen::Index>(k)] = 0;
+        return std::max(left.head<2>().norm(), 0.5 * size * std::abs(left[2])) > noted * size;
+    };
+    const PartPairs known = touching_pairs(as_drawn);
+    const std::vector<Candidate> there = find_candidates_anyway(placed(drawn, conditions, placements), 1);
+    return std::any_of(there.begin(), there.end(), [&](const Candidate& c) {
+        return (is_stopped(c.first) || is_stopped(c.second)) &&
+               std::find(known.begin(), known.end(), std::pair(c.first, c.second)) == known.end();
+    });
+}
+
 /// Where parts rest without friction, if that is where a solution has them but for what is elastic in it: bodies that just
 /// touch, while the solution has them pressed into each other. Where parts are led far, whatever friction does, or pressed on
-/// others that springs hold, which give way, the solution tells of them only whether they go along. Nothing where none goes
+/// others that springs hold, which give way, the solution tells of them only whether they go along, and nothing where they
+/// meet what it does not know of. Nothing where none goes
 /// farther than its pairs are good for.
 std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
-                                                  const SolvedAssembly& solved) {
+                                                  const Outcome& out) {
     constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
     constexpr double along = 0.5;     // likewise
-    constexpr double noted = 1e-3;    // of a part's size: nearer by, pairs and lines of force are as drawn
-    const std::vector<Placement> motions = motions_of(drawn, solved);
+    const std::vector<Placement> motions = motions_of(drawn, conditions, out.solved);
     bool any_goes = false;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const geometry::Part& part = drawn.parts[i].part;
@@ -129,9 +160,10 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     }
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
-    if (loose.placements.empty() ||
-        share_not_explained(drawn, motions, loose.placements) >
-            (are_led_far(drawn, conditions) || has_support(drawn, Support::Kind::spring) ? along : elastic))
+    if (loose.placements.empty()) return std::nullopt;
+    const double most = are_led_far(drawn, conditions) || has_support(drawn, Support::Kind::spring) ? along : elastic;
+    if (share_not_explained(drawn, motions, loose.placements) > most &&
+        !meet_others(drawn, conditions, loose.placements, out.candidates))
         return std::nullopt;
     return with_way_left(drawn, conditions, std::move(loose.placements));
 }
@@ -234,7 +266,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     if (settling.end == Settling::End::stays &&
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
-        if (!goes_nowhere(beside.placements) && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
+        if (!goes_nowhere(beside.placements) && (!has_answer(out) || is_explained_by(drawn, conditions, beside.placements, out.solved)))
             solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
                      rest);
     }
@@ -243,7 +275,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
             solve_at(drawn, conditions, std::move(*there), options, seconds, out, rest);
     if (!rest && !drawn.in_steps && has_answer(out) && has_friction(drawn.contacts) &&
         why_not_followed(drawn, conditions).empty())
-        if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out.solved))
+        if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out))
             solve_at(drawn, conditions, std::move(*beside), options, seconds, out, rest);
     // With friction parts would begin anew where they have gone, beside springs that begin where they are drawn.
     const bool begins_anew = has_friction(drawn.contacts) && has_support(drawn, Support::Kind::spring);

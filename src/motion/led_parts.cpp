@@ -12,6 +12,8 @@ namespace abut {
 
 namespace {
 
+constexpr double within = 0.9;  // of a step
+
 bool leads_at_all(const Lead& lead) {
     return lead.is_given[0] || lead.is_given[1] || lead.is_given[2];
 }
@@ -51,7 +53,6 @@ double LedParts::steps_to(std::size_t part, const Lead& lead) const {
     way[2] *= 0.5 * sizes_[part];
     for (int c = 0; c < 3; ++c)
         if (!lead.is_given[at(c)]) way[c] = 0;
-    constexpr double within = 0.9;
     return way.norm() / (within * step_fraction * sizes_[part]);
 }
 
@@ -87,7 +88,8 @@ void LedParts::end(std::vector<Placement>& placements) const {
     }
 }
 
-bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked) {
+bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked,
+                                  double least_way) {
     constexpr double gets_there = 0.5;  // soft leads against gaps do all of it, or next to nothing
     constexpr double strength = 10;     // beside all loads
     double loads = 0;
@@ -98,7 +100,7 @@ bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::Vector
         if (lead.way < 0 || !lead.is_given[at(lead.way)]) continue;
         const double way = asked[at(b.part)].to[lead.way],
                      goes = lead.of(b.motion(step).head<2>(), b.motion(step)[2])[lead.way], arm = lead.way == 2 ? b.arm : 1;
-        if (arm * std::abs(way) <= arrived_fraction * b.size || goes * way >= gets_there * way * way) continue;
+        if (arm * std::abs(way) <= within * least_way * b.size || goes * way >= gets_there * way * way) continue;
         lead.is_given[at(lead.way)] = false;
         const Eigen::Vector3d along = Eigen::Vector3d::Unit(lead.way) * (way > 0 ? 1 : -1);
         const Vec2 force = lead.translation(along.head<2>());

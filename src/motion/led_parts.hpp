@@ -30,8 +30,10 @@ public:
     void end(std::vector<Placement>& placements) const;
 
     /// Parts that do not get there by rigid motions, since something stops them, press on that: from here on they are pushed as
-    /// loads would, and what is left of the way is for the bodies to give in. step: amplitudes. Is any of them new?
-    bool push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked);
+    /// loads would, and what is left of the way is for the bodies to give in. step: amplitudes; least_way: of a part's size,
+    /// from where on it counts. Is any of them new?
+    bool push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked,
+                            double least_way = arrived_fraction);
     /// What gives way takes a pushed part farther than it is led: there it is led again. Does any push end?
     bool end_pushes(const std::vector<Placement>& placements);
     /// Adds the pushes to the loads.

@@ -230,9 +230,17 @@ private:
     /// At rest parts all but touch, and are not pressed into each other by the springs of the way: where they overlap by
     /// however little, faces beside a corner would be found to press.
     void touch() {
-        constexpr int least_steps = 3, most_steps = 30;
+        constexpr int least_steps = 3, most_steps = 30, last_looks = 3;
         constexpr double apart = 3;  // times what the springs are pressed by
         apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
+        put();
+        for (int k = 0; k < last_looks; ++k) {  // what stops a part on the last of its way lets it go some of that
+            const VectorXd a = step_under(least_drag, 1);
+            if (led_.push_where_blocked(moving_, a, leads_of_step(1), apart * apart * spring_closing))
+                find_moving();
+            else if (farthest(a) <= reach_)
+                advance(a);
+        }
         end_leads();
         leading_ = 1;
         Relaxation relaxation;

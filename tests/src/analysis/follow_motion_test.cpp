@@ -328,4 +328,36 @@ TEST(FollowMotion, OverlapsByRoundingAreNone) {
     EXPECT_NEAR(beside.contacts.at(0).max_pressure.value / in_place.contacts.at(0).max_pressure.value, 1, 0.01);
 }
 
+/// The wall is drawn 10 away: where the way ends just beyond it, however little, the block is pressed by that.
+TEST(FollowMotion, TheLastOfAPrescribedWayPressesAsFarAsItIsStopped) {
+    for (const double beyond : {1e-6, 1e-4, 1e-3, 0.0095, 0.0105, 0.05}) {
+        SCOPED_TRACE(beyond);
+        const Result r = test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10,
+            "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [100, 40]}}},
+            {"name": "wall", "material": "rigid", "geometry": {"rectangle": {"min": [110, -20], "max": [150, 60]}}}],
+            "supports": [{"on": "block/bottom", "fix": ["y"]}, {"part": "wall", "rigid": {"translation": [0, 0], "rotation": 0}},
+                         {"on": "block/left", "displacement": {"x": )" +
+                                      test::number(10 + beyond) + "}}]}");
+        EXPECT_EQ(verdict_of(r), Verdict::reached);
+        const double force = 2e5 * beyond / 100 * 40 * 10;
+        EXPECT_NEAR(r.contacts.at(0).force.x(), -force, 1e-4 * force);
+    }
+}
+
+/// An elastic arm that is led by less than a twentieth of its length: its nose meets a catch that it has nothing to do with
+/// where it is drawn, and slides up on it. The force of friction is at its limit, on a slope of 4 by 9.
+TEST(FollowMotion, FrictionMeetsWhatAPartIsLedTo) {
+    const Result r = test::answer(R"({"abut": 1, "thickness": 5, "materials": {"m": {"E": 2000, "nu": 0.3}}, "parts": [
+        {"name": "arm", "material": "m", "geometry": {"polygon": [[-140, 0], [-140, 4], [50, 4], [50, 7], [51, 7], [60, 3], [60, 0]]}},
+        {"name": "catch", "material": "rigid", "geometry": {"polygon": [[63, 4.2], [83, 4.2], [83, 10], [63, 10]]}}],
+        "supports": [{"part": "catch", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"on": "arm/e0", "displacement": {"x": 8, "y": 0}}],
+        "contacts": {"friction": 0.2}, "accuracy": {"level": "draft"}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.contacts.size(), 1u);
+    const Vec2 force = r.contacts[0].force;
+    EXPECT_NEAR(force.x() / force.y(), std::tan(std::atan2(4, 9) + std::atan(0.2)), 0.01);
+}
+
 }  // namespace abut::follow_motion_test
