@@ -252,12 +252,17 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
 }
 
 std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
-    const bool would_slide = out.solved.solution.holding_factor > 0;
-    if (would_slide || !has_friction(drawn.contacts)) return std::nullopt;
+    if (!has_friction(drawn.contacts)) return std::nullopt;
     if (has_answer(out) && !(drawn.in_steps && far_placements_of(drawn, out.solved))) return std::nullopt;
-    Settling loose = settle(smooth(drawn), conditions);
-    if (loose.end != Settling::End::rests) return std::nullopt;
-    return with_way_left(drawn, conditions, std::move(loose.placements));
+    Settling there = settle(smooth(drawn), conditions);
+    if (there.end == Settling::End::not_asked) return std::nullopt;
+    const bool would_slide = out.solved.solution.holding_factor > 0;
+    if (Settling held = settle_until_held(drawn, conditions); held.end == Settling::End::rests)
+        there = std::move(held);
+    else if (would_slide)
+        return std::nullopt;
+    if (there.end != Settling::End::rests) return std::nullopt;
+    return with_way_left(drawn, conditions, std::move(there.placements));
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -266,7 +271,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     if (settling.end == Settling::End::stays &&
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
-        if (!goes_nowhere(beside.placements) && (!has_answer(out) || is_explained_by(drawn, conditions, beside.placements, out.solved)))
+        if (!goes_nowhere(beside.placements) &&
+            (!has_answer(out) || is_explained_by(drawn, conditions, beside.placements, out.solved)))
             solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
                      rest);
     }

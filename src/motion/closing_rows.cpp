@@ -53,7 +53,8 @@ private:
 
     void take(const geometry::FacingPair& p) {
         if (!p.found || p.gap > far_) return;
-        rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap, pivot(p.on1, p.on2), pivot(p.on2, p.on1)});
+        rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap, pivot(p.on1, p.on2), pivot(p.on2, p.on1),
+                         c_.friction});
     }
 
     static Vec2 pivot(const geometry::ChainPoint& own, const geometry::ChainPoint& other) {

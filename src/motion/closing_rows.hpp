@@ -15,6 +15,7 @@ struct ClosingRow {
     /// What a force along the normal acts in, however the parts turn: the centres of a round part and of the hollow about it,
     /// else the points themselves.
     Vec2 pivot1, pivot2;
+    double friction = 0;  ///< coefficient; infinite: rough
 };
 
 /// The gaps between parts where they are, and the deepest overlap, over the extent of the smaller part.

@@ -8,6 +8,7 @@
 
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/nonnegative.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
@@ -80,6 +81,13 @@ public:
         const Vec2 t = geometry::left_of(row.normal);
         side(row.first, row.pivot1, -t);
         side(row.second, row.pivot2, t);
+        qp_.foundation[k_++] = stiffness;
+    }
+    /// Of tractions at the points themselves.
+    void along(const ClosingRow& row, double stiffness) {
+        const Vec2 t = geometry::left_of(row.normal);
+        side(row.first, row.x1, -t);
+        side(row.second, row.x2, t);
         qp_.foundation[k_++] = stiffness;
     }
     /// A part's motion (translation, turn times arm) in a direction by so much.
@@ -177,7 +185,9 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
-    Index n = static_cast<Index>(gaps.size()) + std::count_if(across.begin(), across.end(), [](double c) { return c > 0; });
+    const auto sticks = [&](const ClosingRow& row) { return by.sticking > 0 && row.gap <= by.sticking; };
+    Index n = static_cast<Index>(gaps.size()) + std::count_if(gaps.begin(), gaps.end(), sticks) +
+              std::count_if(across.begin(), across.end(), [](double c) { return c > 0; });
     for (const MovingPart& p : moving.list) {
         n += p.n();
         smallest = std::min(smallest, p.size);
@@ -193,6 +203,8 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     Rows rows(moving, n, qp);
     const Eigen::Vector3d turn = Eigen::Vector3d::UnitZ();
     for (const ClosingRow& row : gaps) rows.gap(row, stiffness);
+    for (const ClosingRow& row : gaps)
+        if (sticks(row)) rows.along(row, stiffness);
     for (std::size_t k = 0; k < across.size(); ++k)
         if (across[k] > 0) rows.across(gaps[k], across[k]);
     for (const MovingPart& p : moving.list) {
@@ -212,6 +224,29 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     }
     qp.gap = qp.drawn_gap;
     return qp;
+}
+
+bool can_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, double touching) {
+    constexpr double rounding = 1e-6;  // of the loads
+    std::vector<ClosingRow> closed;
+    std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(closed), [&](const ClosingRow& r) { return r.gap <= touching; });
+    const auto n = static_cast<Index>(closed.size());
+    solver::ContactQp qp;
+    Rows rows(moving, 2 * n, qp);
+    for (const ClosingRow& row : closed) {
+        rows.gap(row, 0);
+        rows.along(row, 0);
+    }
+    VectorXd load = VectorXd::Zero(moving.n);
+    for (const MovingPart& p : moving.list) load.segment(p.first, p.n()) += power(p, p.load.force, p.load.moment);
+    Eigen::MatrixXd edges(moving.n, 2 * n);
+    for (Index k = 0; k < n; ++k) {
+        const double coefficient = std::min(closed[at(k)].friction, solver::rough_coefficient);
+        for (Index side = 0; side < 2; ++side)
+            edges.col(2 * k + side) = qp.modes.row(2 * k) + (side == 0 ? 1 : -1) * coefficient * qp.modes.row(2 * k + 1);
+    }
+    return solver::nonnegative_least_squares(edges, -load, std::vector<char>(at(2 * n), 1)).residual.norm() <=
+           rounding * load.norm();
 }
 
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps) {

@@ -59,6 +59,7 @@ struct Resisted {
     std::vector<double> turns{};  ///< by part: as of `Step`; empty: not known, and loads do not turn back either
     Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
     double leading = 1;           ///< what takes a part its way is as stiff as gaps, times this
+    double sticking = 0;          ///< gaps no wider than this let nothing slide; 0: all do
     bool curved = false;          ///< by forces in gaps between round parts and hollows, which turn as these roll in each other
 };
 
@@ -66,6 +67,9 @@ struct Resisted {
 /// as this step is to take them. across: by gap, the stiffness between its pivots across its normal; empty: none.
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by, const std::vector<double>& across = {});
+
+/// Can forces within the cones of friction, in the gaps that are no wider than `touching`, balance the loads?
+bool can_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, double touching);
 
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);

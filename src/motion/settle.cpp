@@ -108,7 +108,35 @@ public:
         return is_at_rest ? pushed(std::move(end)) : end;
     }
 
+    /// As settle_until_held says.
+    Settling follow_until_held() {
+        may_be_held_ = true;
+        look();
+        if (!may_move() || led_.any() || do_all_touch()) return {Settling::End::not_asked, "", {}, {}, ""};
+        return walk();
+    }
+
 private:
+    double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
+    /// Does every part that is loaded touch another?
+    bool do_all_touch() const {
+        return std::all_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
+            return b.pull == 0 || std::any_of(closing_.rows.begin(), closing_.rows.end(), [&](const ClosingRow& row) {
+                       return row.gap <= touching() && (row.first == b.part || row.second == b.part);
+                   });
+        });
+    }
+    /// Does friction hold all parts here? They are moved out of each other, and nowhere else.
+    bool is_held() {
+        constexpr int most_steps = 5;
+        if (!can_friction_hold(moving_, closing_.rows, touching())) return false;
+        for (int k = 0; k < most_steps && closing_.deepest > 0; ++k)
+            advance(settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0),
+                                                {spring_closing, 1, {}, VectorXd::Zero(moving_.n)}))
+                        .amplitudes);
+        return closing_.deepest <= overlap_at_rest;
+    }
+
     bool may_move() const { return moving_.n > 0 && (moving_.pull > 0 || led_.any()); }
 
     bool is_led_far() const {
@@ -179,6 +207,13 @@ private:
             if (led_.end_pushes(placements_)) find_moving();
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
+            if (may_be_held_) {
+                if (is_held()) return rest();
+                // what touches rolls as far as it can, and slides then
+                const bool is_stuck = sticking_ > 0 && drag <= least_drag && far * step_fraction <= arrived_fraction;
+                sticking_ = is_stuck ? 0 : touching();
+                if (is_stuck) continue;
+            }
             if (is_near && far * step_fraction <= arrived_fraction) {
                 if (asks_for_end_ || is_placed() || led_.any() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
@@ -353,6 +388,7 @@ private:
         const auto step = [&] {
             Resisted by{spring_closing, drag, turns_};
             by.leading = leading_;
+            by.sticking = sticking_;
             by.curved = apart_ > 0;
             Step next = step_of(moving_, closing_.rows, leads_of_step(share), by);
             turns_ = std::move(next.turns);
@@ -483,6 +519,8 @@ private:
     MovingParts moving_;
     Closing closing_;
     bool asks_for_end_ = false;  // also where no part goes far
+    bool may_be_held_ = false;   // by friction, before the end
+    double sticking_ = 0;        // as of Resisted
     double reach_ = 1;           // of a step
     std::vector<double> turns_;  // what forces of the last step resist turns by
     double apart_ = 0;
@@ -509,19 +547,31 @@ Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Ve
     return scene;
 }
 
+/// follow: a way, to its end.
+template <class Follow>
+Settling settle_about_middle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from,
+                             const Follow& follow) {
+    const std::optional<Vec2> middle = far_middle(drawn);
+    if (!middle) return follow(Way(drawn, conditions, from));
+    std::vector<Placement> about_middle = from;
+    for (Placement& p : about_middle) p.shift += p.turned(*middle) - *middle;
+    Settling settling = follow(Way(shifted(drawn, conditions, -*middle), conditions, about_middle));
+    for (Placement& p : settling.placements) p.shift += *middle - p.turned(*middle);
+    return settling;
+}
+
 }  // namespace
 
 Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from, bool to_the_end) {
     ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
     ENSURE(from.empty() || from.size() == drawn.parts.size(), "every part has a place before, or none has");
     if (const std::string why = why_not_settled(drawn, conditions); !why.empty()) return {Settling::End::not_asked, why};
-    const std::optional<Vec2> middle = far_middle(drawn);
-    if (!middle) return Way(drawn, conditions, from).follow(to_the_end);
-    std::vector<Placement> about_middle = from;
-    for (Placement& p : about_middle) p.shift += p.turned(*middle) - *middle;
-    Settling settling = Way(shifted(drawn, conditions, -*middle), conditions, about_middle).follow(to_the_end);
-    for (Placement& p : settling.placements) p.shift += *middle - p.turned(*middle);
-    return settling;
+    return settle_about_middle(drawn, conditions, from, [&](Way&& way) { return way.follow(to_the_end); });
+}
+
+Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions) {
+    ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
+    return settle_about_middle(drawn, conditions, {}, [](Way&& way) { return way.follow_until_held(); });
 }
 
 Effect large_motion_effect(const Settling& settling) {

@@ -360,4 +360,34 @@ TEST(FollowMotion, FrictionMeetsWhatAPartIsLedTo) {
     EXPECT_NEAR(force.x() / force.y(), std::tan(std::atan2(4, 9) + std::atan(0.2)), 0.01);
 }
 
+/// A plank falls on two round pins, one 3 higher than the other: from any height it rests on both, which their friction of 0.3
+/// is enough for (tan 4.9 degrees = 0.086), and does not slide to where it would rest without.
+TEST(FollowMotion, FrictionHoldsWhatItCanHoweverFarItFalls) {
+    const auto falls_by = [](double height, double friction) {
+        const auto corner = [&](double x, double y) { return test::pair_text(x, y + height); };
+        return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "left", "material": "rigid", "geometry": {"circle": {"center": [-15, -5], "radius": 5}}},
+            {"name": "right", "material": "rigid", "geometry": {"circle": {"center": [20, -2], "radius": 5}}},
+            {"name": "plank", "material": "m", "geometry": {"polygon": [)" +
+                            corner(-40, 0) + ", " + corner(40, 0) + ", " + corner(40, 10) + ", " + corner(-40, 10) + R"(]}}],
+            "supports": [{"part": "left", "rigid": {"translation": [0, 0], "rotation": 0}},
+                         {"part": "right", "rigid": {"translation": [0, 0], "rotation": 0}}],
+            "loads": [{"part": "plank", "force": [0, -100]}], "accuracy": {"level": "draft"}, "contacts": {"friction": )" +
+                            test::number(friction) + "}}");
+    };
+    const double slope = std::asin(3 / std::hypot(35, 3));
+    for (const double height : {6.0, 12.0, 15.0}) {
+        SCOPED_TRACE(height);
+        const Result r = falls_by(height, 0.3);
+        ASSERT_EQ(r.status, "ok") << r.message;
+        ASSERT_TRUE(r.parts.at(2).placement);
+        EXPECT_NEAR(r.parts[2].placement->rotation, slope, 0.01);
+        EXPECT_LT(std::abs(r.parts[2].placement->translation.x()), 1) << "it does not slide";
+        EXPECT_NEAR(r.contacts.at(0).force.y() + r.contacts.at(1).force.y(), -100, 0.1);
+        EXPECT_NEAR(r.contacts[1].force.y(), -43, 2) << "15 of 35 from the other pin, as it turns";
+    }
+    const Result slides = falls_by(12, 0.05);
+    EXPECT_TRUE(slides.status != "ok" || std::abs(slides.parts.at(2).placement->translation.x()) > 1);
+}
+
 }  // namespace abut::follow_motion_test
