@@ -20,6 +20,10 @@ namespace {
 /// The path of a file of a result's folder, which may be given by its result.json.
 std::string file_of_result(const std::string& given, const std::string& name) {
     const std::filesystem::path path(given);
+    if (!std::filesystem::exists(path))
+        throw InputError(given, "there is no such file or folder", "give a folder of abut analyze");
+    if (!std::filesystem::is_directory(path) && path.filename() != "result.json" && path.filename() != name)
+        throw InputError(given, "this is no result", "give a folder of abut analyze, or its " + name);
     const std::filesystem::path folder = std::filesystem::is_directory(path) ? path : path.parent_path();
     if (!std::filesystem::exists(folder / name) && std::filesystem::exists(folder / "cases.json") && name == "result.json")
         throw InputError(given, "this is the result of several load cases or steps",

@@ -23,7 +23,9 @@ TEST_F(CommandLine, CompareTellsDifferences) {
     EXPECT_EQ(abut({"compare", "a", "a", "--tolerance", "1e-12", "--quiet"}).status, 0);
     expect_refused(abut({"compare", "a"}), 1);
     expect_refused(abut({"compare", "a", "b", "a"}), 1);
-    expect_refused(abut({"compare", "a", "nowhere"}), 1);
+    const Outcome nowhere = abut({"compare", "a", "nowhere"});
+    expect_refused(nowhere, 1);
+    EXPECT_TRUE(any_line_has(nowhere.errors, {"nowhere: there is no such file or folder"}));
     expect_refused(abut({"compare", "a", "a.json"}), 1);
     expect_refused(abut({"compare", "a", "b", "--tolerance", "-1"}), 1);
     fs::remove(folder_ / "a/report.html");

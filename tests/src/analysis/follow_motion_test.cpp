@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "src/results/displacement_from_drawn.hpp"
 #include "src/results/verdict.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
@@ -388,6 +389,17 @@ TEST(FollowMotion, FrictionHoldsWhatItCanHoweverFarItFalls) {
     }
     const Result slides = falls_by(12, 0.05);
     EXPECT_TRUE(slides.status != "ok" || std::abs(slides.parts.at(2).placement->translation.x()) > 1);
+}
+
+TEST(FollowMotion, WhatOnlyMovesHasItsWay) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+        {"name": "arm", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [60, 5]}}},
+        {"name": "stop", "material": "rigid", "geometry": {"rectangle": {"min": [30, -20], "max": [60, -10]}}}],
+        "supports": [{"part": "stop", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"part": "arm", "rigid": {"translation": [0, 0], "rotation": 3}}]})");
+    ASSERT_TRUE(r.parts.at(0).placement);
+    const double turn = 2 * std::sin(1.5 * std::numbers::pi / 180);
+    EXPECT_NEAR(displacement_from_drawn(r, 0).value, turn * 0.5 * std::hypot(60, 5), 1e-6);
 }
 
 }  // namespace abut::follow_motion_test
