@@ -270,7 +270,9 @@ private:
         apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
         put();
         for (int k = 0; k < last_looks; ++k) {  // what stops a part on the last of its way lets it go some of that
-            const VectorXd a = step_under(least_drag, 1);
+            Resisted by{spring_closing, 1, {}, VectorXd::Zero(moving_.n)};  // loads give way to what is prescribed
+            by.leading = soft_lead;
+            const VectorXd a = settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(1), by)).amplitudes;
             if (led_.push_where_blocked(moving_, a, leads_of_step(1), apart * apart * spring_closing))
                 find_moving();
             else if (farthest(a) <= reach_)
