@@ -77,23 +77,6 @@ std::vector<FrictionRow> friction_rows(const AssemblyProblem& problem, const std
     return friction;
 }
 
-/// Gaps are means over pressure functions: round faces that touch have some between them on any grid, into which bodies that
-/// nothing holds would sink, and roll and slip on the way, farther than they yield where contacts are small. With friction
-/// these begin where they touch; on grids that resolve a contact that is next to nothing.
-void begin_touching(const AssemblyProblem& problem, AssemblyRows& all) {
-    for (std::size_t i = 1; i < problem.interfaces.size(); ++i) {
-        const Interface& face = problem.interfaces[i - 1];
-        const auto is_free = [&](int part) { return problem.parts[at(part)].modes.cols() > 0; };
-        if (!problem.interfaces[i].friction || (!is_free(face.part[0]) && !is_free(face.part[1]))) continue;
-        const auto least = std::min_element(face.points.begin(), face.points.end(),
-                                            [](const auto& a, const auto& b) { return a.gap < b.gap; });
-        auto gap = all.rows.gap0.segment(all.first_row[i - 1], n_rows(face));
-        const auto weight = all.rows.weight.segment(all.first_row[i - 1], n_rows(face));
-        const double sunk = gap.cwiseQuotient(weight).minCoeff() - std::max(0.0, least->gap);
-        if (sunk > 0) gap -= sunk * weight;
-    }
-}
-
 /// Slips count from the state before.
 void take_slips_before(const AssemblyProblem& problem, AssemblyRows& all) {
     if (all.friction.empty() || problem.before.empty()) return;
@@ -260,11 +243,11 @@ HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Matri
 AssemblyRows assembly_rows(const AssemblyProblem& problem, int threads) {
     AssemblyRows all;
     all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row, threads);
+    if (problem.begins_touching) begin_touching(problem.parts, problem.interfaces, all.first_row, all.rows);
     for (const MeanConstraint& c : problem.constraints)
         append_mean_constraint(all.rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
                                c.coefficient, c.size, c.value);
     all.friction = friction_rows(problem, all.first_row);
-    begin_touching(problem, all);
     take_slips_before(problem, all);
     all.foundation = foundation_of(problem, all);
     all.expected = expected_multipliers(problem, all);

@@ -60,6 +60,8 @@ struct AssemblyProblem {
     /// (`neutral_work_fraction`), and nothing has friction: parts side by side on a slope that the loads press straight against
     /// are driven by the rounding of their coordinates.
     bool drops_imbalance = false;
+    /// There will be finer rows: see begin_touching (interface.hpp).
+    bool begins_touching = false;
     /// `amplitudes` of a solution of the same parts under other rows, which the search begins from; empty: none. Speed only.
     std::vector<Eigen::VectorXd> near;
     /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of

@@ -53,6 +53,7 @@ struct Mover {
             own.path_tolerance = whole.path_tolerance;
             own.is_way_before_broken = whole.is_way_before_broken;
             own.drops_imbalance = whole.drops_imbalance;
+            own.begins_touching = whole.begins_touching;
             if (!whole.before.empty()) own.before.push_back(whole.before[at(part)]);
             if (!whole.near.empty()) own.near.push_back(whole.near[at(part)]);
         }

@@ -308,6 +308,23 @@ Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& u
     return all;
 }
 
+void begin_touching(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
+                    const std::vector<int>& first_row, Rows& rows) {
+    constexpr int resolving = 6;
+    const auto is_free = [&](int part) { return parts[static_cast<std::size_t>(part)].modes.cols() > 0; };
+    for (std::size_t i = 0; i < interfaces.size(); ++i) {
+        const Interface& face = interfaces[i];
+        if (face.bilateral || !face.penalty.empty() || (!is_free(face.part[0]) && !is_free(face.part[1]))) continue;
+        if (std::count_if(face.expected.begin(), face.expected.end(), [](double l) { return l > 0; }) >= resolving) continue;
+        const auto least = std::min_element(face.points.begin(), face.points.end(),
+                                            [](const auto& a, const auto& b) { return a.gap < b.gap; });
+        auto gap = rows.gap0.segment(first_row[i], n_rows(face));
+        const auto weight = rows.weight.segment(first_row[i], n_rows(face));
+        const double sunk = gap.cwiseQuotient(weight).minCoeff() - std::max(0.0, least->gap);
+        if (sunk > 0) gap -= sunk * weight;
+    }
+}
+
 int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,
                            const Eigen::Vector3d& coefficient, double size, double value) {
     ENSURE(integrals.value.size() == system.n() && area > 0, "means are over this part's functions and its area");

@@ -92,6 +92,14 @@ struct Rows {
 Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces, std::vector<int>& first_row,
                     int threads = 1);
 
+/// Lets faces that their functions do not resolve yet begin as far apart as they are. Gaps are means over pressure functions:
+/// round faces that touch have some between them, which is much more than they yield where functions are wider than contact.
+/// Bodies that nothing holds would sink into it, with friction roll and slip on the way, and neighbours that they lean on would
+/// not be met. Where six functions press (`expected`) the mean is what brings pressures to their order, and a 36th of the
+/// approach at most.
+void begin_touching(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
+                    const std::vector<int>& first_row, Rows& rows);
+
 /// Appends the row that holds a part's mean displacement and mean rotation (half the mean curl), in its own frame, at
 /// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Returns the row's number.
 int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,

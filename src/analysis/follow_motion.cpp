@@ -66,17 +66,19 @@ bool is_paired_astray(const Scene& scene, const Outcome& out) {
     return false;
 }
 
-/// Where a solution has all parts. Those that are led by edges have no motion of their own.
+/// Where a solution has all parts: those that are led are there, which is none of their free motions.
 std::vector<Placement> motions_of(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved) {
-    std::vector<Placement> placements(scene.parts.size());
+    std::vector<solver::RigidMotion> motions;
+    for (const ScenePart& part : scene.parts) motions.push_back({{0, 0}, 0, centroid(part.part)});
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) motions[at(solved.grids[k].part)] = rigid_motion_of(solved, k);
     const Leads leads = leads_of(scene, conditions);
-    for (std::size_t i = 0; i < placements.size(); ++i)
-        if (const Lead& lead = leads.of[i]; lead.goes_anywhere())
-            placements[i] = about_center(centroid(scene.parts[i].part), lead.translation(lead.to.head<2>()), lead.to[2]);
-    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
-        if (solved.problem.parts[k].free_motions.empty()) continue;
-        const solver::RigidMotion m = rigid_motion_of(solved, k);
-        placements[at(solved.grids[k].part)] = about_center(m.center, m.translation, m.rotation);
+    std::vector<Placement> placements;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const Lead& lead = leads.of[i];
+        Eigen::Vector3d by = lead.of(motions[i].translation, motions[i].rotation);
+        for (std::size_t c = 0; c < lead.is_given.size(); ++c)
+            if (lead.is_given[c]) by[static_cast<Eigen::Index>(c)] = lead.to[static_cast<Eigen::Index>(c)];
+        placements.push_back(about_center(motions[i].center, lead.translation(by.head<2>()), by[2]));
     }
     return placements;
 }

@@ -67,12 +67,6 @@ void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
 
 }  // namespace
 
-bool grids_are_fixed(const Scene& scene) {
-    if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
-    if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
-    return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
-}
-
 double NextGrids::next_coarseness() const {
     return std::max(coarseness, coarsening);
 }

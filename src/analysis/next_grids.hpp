@@ -25,9 +25,6 @@ struct NextGrids {
     bool on_final_cells() const { return coarsening <= coarseness; }
 };
 
-/// Are all grids given, so that there is nothing to adapt?
-bool grids_are_fixed(const Scene& scene);
-
 /// Takes the shape's cells towards the final ones by one step; the last step is no smaller than the others, or there would be
 /// nothing to see in it.
 void coarsen_less(NextGrids& next);

@@ -132,10 +132,10 @@ bool is_singular_butt(const solver::Elasticity& a, const solver::Elasticity& b) 
 }
 
 /// Places of a contact's middle curve where friction turns from its bound one way to that the other, within so little that
-/// sticks that the knots there do not tell: the fit of a root at either border takes as many.
+/// sticks that the knots there do not tell: the fits of a root at its two borders take half as many each.
 std::vector<double> reversals_in(const SolvedAssembly& solved, std::size_t contact, const PressedStretch& stretch) {
     constexpr int samples = 2;    // by interval
-    constexpr double untold = 4;  // knot intervals
+    constexpr double untold = 8;  // knot intervals
     const solver::KnotVector& knots = solved.contacts[contact].face.pressure;
     std::vector<double> places;
     FrictionState last = FrictionState::open;

@@ -22,4 +22,10 @@ double coarseness_of(const Accuracy& accuracy, bool has_contact) {
     return std::pow(target_of(accuracy) / standard_target, has_contact ? exponent_with_contact : exponent_without);
 }
 
+bool grids_are_fixed(const Scene& scene) {
+    if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
+    if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
+    return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
+}
+
 }  // namespace abut

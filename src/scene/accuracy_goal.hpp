@@ -20,4 +20,7 @@ double target_of(const Accuracy& accuracy);
 /// with contact, whose grids are refined by what they show, 1.3 and 0.8 to begin with.
 double coarseness_of(const Accuracy& accuracy, bool has_contact);
 
+/// Are all grids given, so that there is nothing to adapt?
+bool grids_are_fixed(const Scene& scene);
+
 }  // namespace abut

@@ -279,6 +279,7 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
         const Timed timed(seconds, "solve");
         tighten(scene, solved, threads);
         if (!solved.failure.empty()) return;
+        solved.problem.begins_touching = !grids_are_fixed(scene);
         solved.solution = solve_groups(solved.problem, threads);
         const auto has_friction = [](const solver::Interface& face) { return face.friction.has_value(); };
         if (std::none_of(solved.problem.interfaces.begin(), solved.problem.interfaces.end(), has_friction) &&
