@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
-#include "solver/linear_algebra/nonnegative.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
@@ -59,6 +60,10 @@ RigidLoad about(const Vec2& center, RigidLoad load, const Vec2& from) {
     load.moment += geometry::cross(from - center, load.force);
     load.stretch += load.force.dot(from - center);
     return load;
+}
+
+bool sticks(const ClosingRow& row, const Resisted& by) {
+    return by.sticking > 0 && row.gap <= by.sticking;
 }
 
 /// The rows of a step's problem, one after the other.
@@ -185,8 +190,8 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
-    const auto sticks = [&](const ClosingRow& row) { return by.sticking > 0 && row.gap <= by.sticking; };
-    Index n = static_cast<Index>(gaps.size()) + std::count_if(gaps.begin(), gaps.end(), sticks) +
+    const auto row_sticks = [&](const ClosingRow& row) { return sticks(row, by); };
+    Index n = static_cast<Index>(gaps.size()) + std::count_if(gaps.begin(), gaps.end(), row_sticks) +
               std::count_if(across.begin(), across.end(), [](double c) { return c > 0; });
     for (const MovingPart& p : moving.list) {
         n += p.n();
@@ -204,7 +209,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     const Eigen::Vector3d turn = Eigen::Vector3d::UnitZ();
     for (const ClosingRow& row : gaps) rows.gap(row, stiffness);
     for (const ClosingRow& row : gaps)
-        if (sticks(row)) rows.along(row, stiffness);
+        if (sticks(row, by)) rows.along(row, stiffness);
     for (std::size_t k = 0; k < across.size(); ++k)
         if (across[k] > 0) rows.across(gaps[k], across[k]);
     for (const MovingPart& p : moving.list) {
@@ -226,27 +231,28 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     return qp;
 }
 
-bool can_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, double touching) {
-    constexpr double rounding = 1e-6;  // of the loads
-    std::vector<ClosingRow> closed;
-    std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(closed), [&](const ClosingRow& r) { return r.gap <= touching; });
-    const auto n = static_cast<Index>(closed.size());
-    solver::ContactQp qp;
-    Rows rows(moving, 2 * n, qp);
-    for (const ClosingRow& row : closed) {
-        rows.gap(row, 0);
-        rows.along(row, 0);
+bool does_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                        const Resisted& by) {
+    constexpr double at_rest = 10;    // times what lets nothing slide: gaps close by as much, and turn parts
+    constexpr double carries = 1e-3;  // of the loads: less, and friction of as little, is what springs prestress
+    const solver::Settled settled = settle_rigidly(step_problem(moving, gaps, leads, by));
+    for (const MovingPart& p : moving.list)
+        if (p.own(settled.amplitudes).norm() > at_rest * by.sticking) return false;
+    struct Forces {
+        double normal = 0, along = 0, coefficient = 0;
+    };
+    std::map<std::pair<int, int>, Forces> of_pair;
+    auto along = static_cast<Index>(gaps.size());
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+        Forces& f = of_pair[{gaps[k].first, gaps[k].second}];
+        f.normal += settled.multipliers[static_cast<Index>(k)];
+        if (sticks(gaps[k], by)) f.along += settled.multipliers[along++];
+        f.coefficient = std::max(f.coefficient, gaps[k].friction);
     }
-    VectorXd load = VectorXd::Zero(moving.n);
-    for (const MovingPart& p : moving.list) load.segment(p.first, p.n()) += power(p, p.load.force, p.load.moment);
-    Eigen::MatrixXd edges(moving.n, 2 * n);
-    for (Index k = 0; k < n; ++k) {
-        const double coefficient = std::min(closed[at(k)].friction, solver::rough_coefficient);
-        for (Index side = 0; side < 2; ++side)
-            edges.col(2 * k + side) = qp.modes.row(2 * k) + (side == 0 ? 1 : -1) * coefficient * qp.modes.row(2 * k + 1);
-    }
-    return solver::nonnegative_least_squares(edges, -load, std::vector<char>(at(2 * n), 1)).residual.norm() <=
-           rounding * load.norm();
+    return std::all_of(of_pair.begin(), of_pair.end(), [&](const auto& pair) {
+        const Forces& f = pair.second;
+        return std::abs(f.along) <= std::min(f.coefficient, solver::rough_coefficient) * f.normal + carries * moving.pull;
+    });
 }
 
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps) {

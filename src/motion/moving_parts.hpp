@@ -68,8 +68,10 @@ struct Resisted {
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by, const std::vector<double>& across = {});
 
-/// Can forces within the cones of friction, in the gaps that are no wider than `touching`, balance the loads?
-bool can_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, double touching);
+/// Does friction hold parts where they are? The step under which what touches sticks goes nowhere, and the forces between two
+/// parts along their faces are no more than friction bears under those across. What only prestress could hold slides on.
+bool does_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                        const Resisted& by);
 
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);

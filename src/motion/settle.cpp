@@ -129,7 +129,9 @@ private:
     /// Does friction hold all parts here? They are moved out of each other, and nowhere else.
     bool is_held() {
         constexpr int most_steps = 5;
-        if (!can_friction_hold(moving_, closing_.rows, touching())) return false;
+        Resisted by{spring_closing, least_drag};
+        by.sticking = touching();
+        if (!does_friction_hold(moving_, closing_.rows, leads_of_step(0), by)) return false;
         for (int k = 0; k < most_steps && closing_.deepest > 0; ++k)
             advance(settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0),
                                                 {spring_closing, 1, {}, VectorXd::Zero(moving_.n)}))
