@@ -255,13 +255,13 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
 
 std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
     if (!has_friction(drawn.contacts)) return std::nullopt;
-    if (has_answer(out) && !(drawn.in_steps && far_placements_of(drawn, out.solved))) return std::nullopt;
+    if (has_answer(out) && !far_placements_of(drawn, out.solved)) return std::nullopt;
     Settling there = settle(smooth(drawn), conditions);
     if (there.end == Settling::End::not_asked) return std::nullopt;
-    const bool would_slide = out.solved.solution.holding_factor > 0;
+    const bool would_slide = out.solved.solution.holding_factor > 0, is_answer = has_answer(out) && !drawn.in_steps;
     if (Settling held = settle_until_held(drawn, conditions); held.end == Settling::End::rests)
         there = std::move(held);
-    else if (would_slide)
+    else if (would_slide || is_answer)
         return std::nullopt;
     if (there.end != Settling::End::rests) return std::nullopt;
     return with_way_left(drawn, conditions, std::move(there.placements));

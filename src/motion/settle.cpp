@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "solver/contact/assembly_solve.hpp"
@@ -14,6 +15,7 @@
 #include "src/motion/closing_rows.hpp"
 #include "src/motion/led_parts.hpp"
 #include "src/motion/moving_parts.hpp"
+#include "src/motion/relaxation.hpp"
 
 namespace abut {
 
@@ -47,26 +49,6 @@ std::string why_not_settled(const Scene& scene, const ResolvedConditions& condit
     if (has_fits(scene.contacts)) return "fits hold parts where they are drawn";
     return "";
 }
-
-/// Factors on steps to a place that they overshoot, or creep to, from what the last factor left over (Aitken).
-class Relaxation {
-public:
-    VectorXd of(const VectorXd& step) {
-        if (before_.size() > 0)
-            if (const VectorXd change = step - before_; change.norm() > 0)
-                factor_ = std::clamp(-factor_ * before_.dot(change) / change.squaredNorm(), 1 / most, most);
-        before_ = step;
-        return factor_ * step;
-    }
-
-    /// Does a step go against the one before? However much longer it is, the place lies between.
-    bool turns_back(const VectorXd& step) const { return before_.size() > 0 && before_.dot(step) < 0; }
-
-private:
-    static constexpr double most = 10;
-    VectorXd before_{};
-    double factor_ = 1;
-};
 
 std::vector<double> sizes_of(const Scene& scene) {
     std::vector<double> sizes;
@@ -108,22 +90,56 @@ public:
         return is_at_rest ? pushed(std::move(end)) : end;
     }
 
-    /// As settle_until_held says.
+    /// As settle_until_held says: parts fall until they touch, roll about where they do, and slide where friction gives way.
     Settling follow_until_held() {
-        may_be_held_ = true;
         look();
         if (!may_move() || led_.any() || do_all_touch()) return {Settling::End::not_asked, "", {}, {}, ""};
-        return walk();
+        for (int k = 0; k < max_steps; ++k) {
+            if (is_held()) return rest();
+            VectorXd a = step_to_touch(touching());
+            if (farthest(a) * step_fraction <= rest_digits) a = step_to_touch(0);
+            if (farthest(a) * step_fraction <= rest_digits) return lost();
+            std::vector<double> distance;
+            for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
+            while (!advance(a)) a *= 0.5;
+            if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
+        }
+        return lost();
     }
 
 private:
+    /// A step on the gaps that are closed, as far as the first of the others lets it. sticking: as of Resisted.
+    VectorXd step_to_touch(double sticking) const {
+        std::vector<ClosingRow> closed;
+        std::copy_if(closing_.rows.begin(), closing_.rows.end(), std::back_inserter(closed),
+                     [&](const ClosingRow& row) { return row.gap <= touching(); });
+        Resisted by{spring_closing, 1};
+        by.sticking = sticking;
+        VectorXd a = settle_rigidly(step_problem(moving_, closed, leads_of_step(0), by)).amplitudes;
+        a /= std::max(1.0, farthest(a));
+        const VectorXd rate = step_problem(moving_, closing_.rows, leads_of_step(0), by).modes * a;
+        double share = 1;
+        for (std::size_t k = 0; k < closing_.rows.size(); ++k)
+            if (const double gap = closing_.rows[k].gap, to = rate[static_cast<Index>(k)]; gap > touching() && to < 0)
+                share = std::min(share, gap / -to);
+        return share * a;
+    }
+
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
-    /// Does every part that is loaded touch another?
+    /// Is every part that is loaded pressed on another that it touches?
     bool do_all_touch() const {
+        constexpr double pressed = 1e-3;  // of its loads
+        Resisted by{spring_closing, least_drag};
+        by.sticking = touching();
+        const VectorXd forces = settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0), by)).multipliers;
         return std::all_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
-            return b.pull == 0 || std::any_of(closing_.rows.begin(), closing_.rows.end(), [&](const ClosingRow& row) {
-                       return row.gap <= touching() && (row.first == b.part || row.second == b.part);
-                   });
+            bool is_pressed = b.pull == 0;
+            for (std::size_t k = 0; k < closing_.rows.size() && !is_pressed; ++k) {
+                const ClosingRow& row = closing_.rows[k];
+                is_pressed = row.gap <= touching() && (row.first == b.part || row.second == b.part) &&
+                             forces[static_cast<Index>(k)] > pressed * b.pull;
+            }
+            return is_pressed;
         });
     }
     /// Does friction hold all parts here? They are moved out of each other, and nowhere else.
@@ -209,13 +225,6 @@ private:
             if (led_.end_pushes(placements_)) find_moving();
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
-            if (may_be_held_) {
-                if (is_held()) return rest();
-                // what touches rolls as far as it can, and slides then
-                const bool is_stuck = sticking_ > 0 && drag <= least_drag && far * step_fraction <= arrived_fraction;
-                sticking_ = is_stuck ? 0 : touching();
-                if (is_stuck) continue;
-            }
             if (is_near && far * step_fraction <= arrived_fraction) {
                 if (asks_for_end_ || is_placed() || led_.any() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
@@ -392,7 +401,6 @@ private:
         const auto step = [&] {
             Resisted by{spring_closing, drag, turns_};
             by.leading = leading_;
-            by.sticking = sticking_;
             by.curved = apart_ > 0;
             Step next = step_of(moving_, closing_.rows, leads_of_step(share), by);
             turns_ = std::move(next.turns);
@@ -523,8 +531,6 @@ private:
     MovingParts moving_;
     Closing closing_;
     bool asks_for_end_ = false;  // also where no part goes far
-    bool may_be_held_ = false;   // by friction, before the end
-    double sticking_ = 0;        // as of Resisted
     double reach_ = 1;           // of a step
     std::vector<double> turns_;  // what forces of the last step resist turns by
     double apart_ = 0;
