@@ -62,10 +62,6 @@ RigidLoad about(const Vec2& center, RigidLoad load, const Vec2& from) {
     return load;
 }
 
-bool sticks(const ClosingRow& row, const Resisted& by) {
-    return by.sticking > 0 && row.gap <= by.sticking;
-}
-
 /// The rows of a step's problem, one after the other.
 class Rows {
 public:
@@ -190,8 +186,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
-    const auto row_sticks = [&](const ClosingRow& row) { return sticks(row, by); };
-    Index n = static_cast<Index>(gaps.size()) + std::count_if(gaps.begin(), gaps.end(), row_sticks) +
+    Index n = static_cast<Index>(gaps.size()) + std::count(by.sticks.begin(), by.sticks.end(), 1) +
               std::count_if(across.begin(), across.end(), [](double c) { return c > 0; });
     for (const MovingPart& p : moving.list) {
         n += p.n();
@@ -208,8 +203,8 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     Rows rows(moving, n, qp);
     const Eigen::Vector3d turn = Eigen::Vector3d::UnitZ();
     for (const ClosingRow& row : gaps) rows.gap(row, stiffness);
-    for (const ClosingRow& row : gaps)
-        if (sticks(row, by)) rows.along(row, stiffness);
+    for (std::size_t k = 0; k < by.sticks.size(); ++k)
+        if (by.sticks[k]) rows.along(gaps[k], stiffness);
     for (std::size_t k = 0; k < across.size(); ++k)
         if (across[k] > 0) rows.across(gaps[k], across[k]);
     for (const MovingPart& p : moving.list) {
@@ -231,28 +226,35 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     return qp;
 }
 
-bool does_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                        const Resisted& by) {
-    constexpr double at_rest = 10;    // times what lets nothing slide: gaps close by as much, and turn parts
+VectorXd step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                            Resisted by, double touching) {
     constexpr double carries = 1e-3;  // of the loads: less, and friction of as little, is what springs prestress
-    const solver::Settled settled = settle_rigidly(step_problem(moving, gaps, leads, by));
-    for (const MovingPart& p : moving.list)
-        if (p.own(settled.amplitudes).norm() > at_rest * by.sticking) return false;
     struct Forces {
-        double normal = 0, along = 0, coefficient = 0;
+        double across = 0, along = 0, coefficient = 0;
+        bool is_too_much(double trifle) const {
+            return std::abs(along) > std::min(coefficient, solver::rough_coefficient) * across + trifle;
+        }
     };
-    std::map<std::pair<int, int>, Forces> of_pair;
-    auto along = static_cast<Index>(gaps.size());
-    for (std::size_t k = 0; k < gaps.size(); ++k) {
-        Forces& f = of_pair[{gaps[k].first, gaps[k].second}];
-        f.normal += settled.multipliers[static_cast<Index>(k)];
-        if (sticks(gaps[k], by)) f.along += settled.multipliers[along++];
-        f.coefficient = std::max(f.coefficient, gaps[k].friction);
+    by.sticks.resize(gaps.size());
+    std::transform(gaps.begin(), gaps.end(), by.sticks.begin(), [&](const ClosingRow& row) { return row.gap <= touching; });
+    while (true) {
+        const solver::Settled settled = settle_rigidly(step_problem(moving, gaps, leads, by));
+        std::map<std::pair<int, int>, Forces> of_pair;
+        auto along = static_cast<Index>(gaps.size());
+        for (std::size_t k = 0; k < gaps.size(); ++k) {
+            Forces& f = of_pair[{gaps[k].first, gaps[k].second}];
+            f.across += settled.multipliers[static_cast<Index>(k)];
+            if (by.sticks[k]) f.along += settled.multipliers[along++];
+            f.coefficient = std::max(f.coefficient, gaps[k].friction);
+        }
+        bool any = false;
+        for (std::size_t k = 0; k < gaps.size(); ++k) {
+            if (!by.sticks[k] || !of_pair[{gaps[k].first, gaps[k].second}].is_too_much(carries * moving.pull)) continue;
+            by.sticks[k] = 0;
+            any = true;
+        }
+        if (!any) return settled.amplitudes;
     }
-    return std::all_of(of_pair.begin(), of_pair.end(), [&](const auto& pair) {
-        const Forces& f = pair.second;
-        return std::abs(f.along) <= std::min(f.coefficient, solver::rough_coefficient) * f.normal + carries * moving.pull;
-    });
 }
 
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps) {

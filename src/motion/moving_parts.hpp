@@ -59,7 +59,7 @@ struct Resisted {
     std::vector<double> turns{};  ///< by part: as of `Step`; empty: not known, and loads do not turn back either
     Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
     double leading = 1;           ///< what takes a part its way is as stiff as gaps, times this
-    double sticking = 0;          ///< gaps no wider than this let nothing slide; 0: all do
+    std::vector<char> sticks{};   ///< by gap: nothing slides there; empty: all do
     bool curved = false;          ///< by forces in gaps between round parts and hollows, which turn as these roll in each other
 };
 
@@ -68,10 +68,11 @@ struct Resisted {
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by, const std::vector<double>& across = {});
 
-/// Does friction hold parts where they are? The step under which what touches sticks goes nowhere, and the forces between two
-/// parts along their faces are no more than friction bears under those across. What only prestress could hold slides on.
-bool does_friction_hold(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                        const Resisted& by);
+/// The amplitudes of a step with friction: gaps no wider than `touching` stick, but for those of parts between which more force
+/// would act along their faces than friction bears under what acts across; these slide, without any. Where only prestress could
+/// hold, they do.
+Eigen::VectorXd step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
+                                   const std::vector<Lead>& leads, Resisted by, double touching);
 
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);

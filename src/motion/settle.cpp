@@ -96,8 +96,7 @@ public:
         if (!may_move() || led_.any() || do_all_touch()) return {Settling::End::not_asked, "", {}, {}, ""};
         for (int k = 0; k < max_steps; ++k) {
             if (is_held()) return rest();
-            VectorXd a = step_to_touch(touching());
-            if (farthest(a) * step_fraction <= rest_digits) a = step_to_touch(0);
+            VectorXd a = step_to_touch();
             if (farthest(a) * step_fraction <= rest_digits) return lost();
             std::vector<double> distance;
             for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
@@ -108,14 +107,13 @@ public:
     }
 
 private:
-    /// A step on the gaps that are closed, as far as the first of the others lets it. sticking: as of Resisted.
-    VectorXd step_to_touch(double sticking) const {
+    /// A step on the gaps that are closed, as far as the first of the others lets it.
+    VectorXd step_to_touch() const {
         std::vector<ClosingRow> closed;
         std::copy_if(closing_.rows.begin(), closing_.rows.end(), std::back_inserter(closed),
                      [&](const ClosingRow& row) { return row.gap <= touching(); });
-        Resisted by{spring_closing, 1};
-        by.sticking = sticking;
-        VectorXd a = settle_rigidly(step_problem(moving_, closed, leads_of_step(0), by)).amplitudes;
+        const Resisted by{spring_closing, 1};
+        VectorXd a = step_with_friction(moving_, closed, leads_of_step(0), by, touching());
         a /= std::max(1.0, farthest(a));
         const VectorXd rate = step_problem(moving_, closing_.rows, leads_of_step(0), by).modes * a;
         double share = 1;
@@ -129,9 +127,8 @@ private:
     /// Is every part that is loaded pressed on another that it touches?
     bool do_all_touch() const {
         constexpr double pressed = 1e-3;  // of its loads
-        Resisted by{spring_closing, least_drag};
-        by.sticking = touching();
-        const VectorXd forces = settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0), by)).multipliers;
+        const VectorXd forces =
+            settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0), {spring_closing, 1})).multipliers;
         return std::all_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
             bool is_pressed = b.pull == 0;
             for (std::size_t k = 0; k < closing_.rows.size() && !is_pressed; ++k) {
@@ -145,9 +142,11 @@ private:
     /// Does friction hold all parts here? They are moved out of each other, and nowhere else.
     bool is_held() {
         constexpr int most_steps = 5;
-        Resisted by{spring_closing, least_drag};
-        by.sticking = touching();
-        if (!does_friction_hold(moving_, closing_.rows, leads_of_step(0), by)) return false;
+        constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
+        const VectorXd a =
+            step_with_friction(moving_, closing_.rows, leads_of_step(0), {spring_closing, least_drag}, touching());
+        for (const MovingPart& b : moving_.list)
+            if (b.own(a).norm() > at_rest * touching()) return false;
         for (int k = 0; k < most_steps && closing_.deepest > 0; ++k)
             advance(settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0),
                                                 {spring_closing, 1, {}, VectorXd::Zero(moving_.n)}))
