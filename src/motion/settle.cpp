@@ -109,11 +109,8 @@ public:
 private:
     /// A step on the gaps that are closed, as far as the first of the others lets it.
     VectorXd step_to_touch() const {
-        std::vector<ClosingRow> closed;
-        std::copy_if(closing_.rows.begin(), closing_.rows.end(), std::back_inserter(closed),
-                     [&](const ClosingRow& row) { return row.gap <= touching(); });
         const Resisted by{spring_closing, 1};
-        VectorXd a = step_with_friction(moving_, closed, leads_of_step(0), by, touching());
+        VectorXd a = step_with_friction(moving_, closed_rows(), leads_of_step(0), by, touching());
         a /= std::max(1.0, farthest(a));
         const VectorXd rate = step_problem(moving_, closing_.rows, leads_of_step(0), by).modes * a;
         double share = 1;
@@ -123,19 +120,24 @@ private:
         return share * a;
     }
 
+    std::vector<ClosingRow> closed_rows() const {
+        std::vector<ClosingRow> closed;
+        std::copy_if(closing_.rows.begin(), closing_.rows.end(), std::back_inserter(closed),
+                     [&](const ClosingRow& row) { return row.gap <= touching(); });
+        return closed;
+    }
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
     /// Is every part that is loaded pressed on another that it touches?
     bool do_all_touch() const {
         constexpr double pressed = 1e-3;  // of its loads
+        const std::vector<ClosingRow> closed = closed_rows();
         const VectorXd forces =
-            settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0), {spring_closing, 1})).multipliers;
+            settle_rigidly(step_problem(moving_, closed, leads_of_step(0), {spring_closing, 1})).multipliers;
         return std::all_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
             bool is_pressed = b.pull == 0;
-            for (std::size_t k = 0; k < closing_.rows.size() && !is_pressed; ++k) {
-                const ClosingRow& row = closing_.rows[k];
-                is_pressed = row.gap <= touching() && (row.first == b.part || row.second == b.part) &&
+            for (std::size_t k = 0; k < closed.size() && !is_pressed; ++k)
+                is_pressed = (closed[k].first == b.part || closed[k].second == b.part) &&
                              forces[static_cast<Index>(k)] > pressed * b.pull;
-            }
             return is_pressed;
         });
     }
