@@ -63,6 +63,27 @@ TEST(Interface, RowsAreIntegralsOfTheGapWithEachPressureFunction) {
     EXPECT_NEAR(s.rows.gap0.sum(), thickness * 0.2, 1e-14);
 }
 
+/// A round gap, a tenth wide at its least: functions that do not resolve it see more. Bodies that may sink into it begin there.
+TEST(Interface, FacesBeginAsFarApartAsTheyAre) {
+    Setting s;
+    const auto least = [&] { return s.rows.gap0.cwiseQuotient(s.rows.weight).minCoeff(); };
+    const auto begin = [&] { begin_touching(s.problem.parts, s.problem.interfaces, s.first_row, s.rows); };
+    const VectorXd means = s.rows.gap0;
+    EXPECT_GT(least(), 0.1005);
+    std::vector<PartSystem> held = s.problem.parts;
+    for (PartSystem& part : held) part.modes.resize(2 * part.n(), 0);
+    begin_touching(held, s.problem.interfaces, s.first_row, s.rows);
+    EXPECT_EQ(s.rows.gap0, means) << "what is held does not sink";
+    s.problem.interfaces[0].expected.assign(7, 1.0);
+    begin();
+    EXPECT_EQ(s.rows.gap0, means) << "resolved";
+    s.problem.interfaces[0].expected = {3, 1, 0, 0, 0, 0, 0};
+    begin();
+    EXPECT_NEAR(least(), 0.1, 5e-4);
+    const VectorXd by = (means - s.rows.gap0).cwiseQuotient(s.rows.weight);
+    EXPECT_NEAR(by.minCoeff(), by.maxCoeff(), 1e-14) << "all alike: the face keeps its shape";
+}
+
 TEST(Interface, RowsTakeTheNormalDisplacementOfEitherBody) {
     const Setting s;
     for (std::size_t part : {0u, 1u}) {
