@@ -211,20 +211,20 @@ Vec2 from_where(const Placement& p, const Vec2& x) {
     return Placement{-p.angle, {0, 0}}.turned(x - p.shift);
 }
 
-/// Where a part is led along another for longer than the solution has it slide, friction is at its limit; that of soft bodies
-/// may not have come there over what was left of the way.
+/// Where a part is led, or pushed by one that is, along another for longer than the solution has it slide, friction is at its
+/// limit; that of soft bodies may not have come there over what was left of the way.
 void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, const Rest& rest, const SolvedAssembly& solved,
                                       Result& result) {
-    constexpr double slid = 0.01;      // of the smaller part's size: ten times what is left of the way
+    constexpr double slid = 5e-4;      // of the smaller part's size: half of what is left of the way
     constexpr double at_limit = 0.98;  // a rim may stick
     std::vector<Finding> findings;
+    if (std::none_of(leads.of.begin(), leads.of.end(), [](const Lead& lead) { return lead.goes_anywhere(); })) return;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const double friction = friction_of(solved, k);
         if (friction == 0 || !std::isfinite(friction) || solved.stretches[k].empty()) continue;
         const double share = friction_sums(solved, k).share_of_limit(friction);
         if (share >= at_limit) continue;
         const std::array<int, 2>& part = solved.contacts[k].part;
-        if (!leads.of[at(part[0])].goes_anywhere() && !leads.of[at(part[1])].goes_anywhere()) continue;
         const PressedStretch& stretch = solved.stretches[k].front();
         const geometry::FacingPair pair = pair_at(rest.scene, solved.contacts[k], 0.5 * (stretch.begin + stretch.end));
         const Vec2 by =

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -228,11 +229,11 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
 
 VectorXd step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                             Resisted by, double touching) {
-    constexpr double carries = 1e-3;  // of the loads: less, and friction of as little, is what springs prestress
+    constexpr double trifle = 1e-3;  // of the smaller one's loads: friction of as little is what springs prestress
     struct Forces {
-        double across = 0, along = 0, coefficient = 0;
-        bool is_too_much(double trifle) const {
-            return std::abs(along) > std::min(coefficient, solver::rough_coefficient) * across + trifle;
+        double across = 0, along = 0, coefficient = 0, loads = std::numeric_limits<double>::infinity();
+        bool is_too_much() const {
+            return std::abs(along) > std::min(coefficient, solver::rough_coefficient) * across + trifle * loads;
         }
     };
     by.sticks.resize(gaps.size());
@@ -246,10 +247,12 @@ VectorXd step_with_friction(const MovingParts& moving, const std::vector<Closing
             f.across += settled.multipliers[static_cast<Index>(k)];
             if (by.sticks[k]) f.along += settled.multipliers[along++];
             f.coefficient = std::max(f.coefficient, gaps[k].friction);
+            for (const int part : {gaps[k].first, gaps[k].second})
+                if (const int i = moving.of_part[at(part)]; i >= 0) f.loads = std::min(f.loads, moving.list[at(i)].pull);
         }
         bool any = false;
         for (std::size_t k = 0; k < gaps.size(); ++k) {
-            if (!by.sticks[k] || !of_pair[{gaps[k].first, gaps[k].second}].is_too_much(carries * moving.pull)) continue;
+            if (!by.sticks[k] || !of_pair[{gaps[k].first, gaps[k].second}].is_too_much()) continue;
             by.sticks[k] = 0;
             any = true;
         }

@@ -193,4 +193,21 @@ std::string placement_text(const std::string& part, const Placement& placement, 
     return text;
 }
 
+std::optional<Vec2> far_middle(const Scene& scene) {
+    geometry::Box2 box;
+    for (const ScenePart& part : scene.parts) box.extend(bounding_box(part.part));
+    if (box.center().norm() <= box.diagonal()) return std::nullopt;
+    return box.center();
+}
+
+Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Vec2& by) {
+    Scene scene = placed(drawn, conditions, std::vector<Placement>(drawn.parts.size(), Placement{0, by}));
+    for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+        scene.supports[i].rigid_x = drawn.supports[i].rigid_x;
+        scene.supports[i].rigid_y = drawn.supports[i].rigid_y;
+        scene.supports[i].value = drawn.supports[i].value;
+    }
+    return scene;
+}
+
 }  // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts away from where they were drawn: finite rigid motions, and the scene with its parts there.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,12 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
 /// remember.
 std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedConditions& conditions,
                                      std::vector<Placement> placements, const std::vector<char>& slide = {});
+
+/// The middle of an assembly that is drawn farther from the origin than it is large: there its coordinates lose the digits that
+/// small steps need. Else nothing.
+std::optional<Vec2> far_middle(const Scene& scene);
+/// The scene with its parts elsewhere, and its prescribed motions as they were.
+Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Vec2& by);
 
 /// Where parts come to rest: the scene with its parts there, and how they go there from where they are drawn, by part.
 struct Rest {

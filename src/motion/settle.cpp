@@ -95,12 +95,15 @@ public:
         look();
         if (!may_move() || led_.any() || do_all_touch()) return {Settling::End::not_asked, "", {}, {}, ""};
         for (int k = 0; k < max_steps; ++k) {
-            if (is_held()) return rest();
+            if (is_held() && move_apart()) return rest();
             VectorXd a = step_to_touch();
             if (farthest(a) * step_fraction <= rest_digits) return lost();
             std::vector<double> distance;
             for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
-            while (!advance(a)) a *= 0.5;
+            while (!advance(a)) {
+                a *= 0.5;
+                if (farthest(a) < arrived_fraction) return lost();
+            }
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
         }
         return lost();
@@ -127,6 +130,9 @@ private:
         return closed;
     }
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
+    bool is_of_body(int part, const MovingPart& body) const {
+        return bodies_.of_part[at(part)] == bodies_.of_part[at(body.part)];
+    }
     /// Is every part that is loaded pressed on another that it touches?
     bool do_all_touch() const {
         constexpr double pressed = 1e-3;  // of its loads
@@ -136,23 +142,25 @@ private:
         return std::all_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
             bool is_pressed = b.pull == 0;
             for (std::size_t k = 0; k < closed.size() && !is_pressed; ++k)
-                is_pressed = (closed[k].first == b.part || closed[k].second == b.part) &&
+                is_pressed = (is_of_body(closed[k].first, b) || is_of_body(closed[k].second, b)) &&
                              forces[static_cast<Index>(k)] > pressed * b.pull;
             return is_pressed;
         });
     }
-    /// Does friction hold all parts here? They are moved out of each other, and nowhere else.
-    bool is_held() {
-        constexpr int most_steps = 5;
+    /// Does friction hold all parts here?
+    bool is_held() const {
         constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
         const VectorXd a =
             step_with_friction(moving_, closing_.rows, leads_of_step(0), {spring_closing, least_drag}, touching());
-        for (const MovingPart& b : moving_.list)
-            if (b.own(a).norm() > at_rest * touching()) return false;
+        return std::all_of(moving_.list.begin(), moving_.list.end(),
+                           [&](const MovingPart& b) { return b.own(a).norm() <= at_rest * touching(); });
+    }
+    /// Moves parts out of each other, and nowhere else. False: they still overlap.
+    bool move_apart() {
+        constexpr int most_steps = 5;
+        const Resisted stay{spring_closing, 1, {}, VectorXd::Zero(moving_.n)};
         for (int k = 0; k < most_steps && closing_.deepest > 0; ++k)
-            advance(settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0),
-                                                {spring_closing, 1, {}, VectorXd::Zero(moving_.n)}))
-                        .amplitudes);
+            if (!advance(settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0), stay)).amplitudes)) break;
         return closing_.deepest <= overlap_at_rest;
     }
 
@@ -537,26 +545,6 @@ private:
     double apart_ = 0;
     double leading_ = soft_lead;
 };
-
-/// The middle of an assembly that is drawn farther from the origin than it is large: there its coordinates lose the digits that
-/// small steps need.
-std::optional<Vec2> far_middle(const Scene& scene) {
-    geometry::Box2 box;
-    for (const ScenePart& part : scene.parts) box.extend(bounding_box(part.part));
-    if (box.center().norm() <= box.diagonal()) return std::nullopt;
-    return box.center();
-}
-
-/// The scene with its parts elsewhere, and its prescribed motions as they were.
-Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Vec2& by) {
-    Scene scene = placed(drawn, conditions, std::vector<Placement>(drawn.parts.size(), Placement{0, by}));
-    for (std::size_t i = 0; i < scene.supports.size(); ++i) {
-        scene.supports[i].rigid_x = drawn.supports[i].rigid_x;
-        scene.supports[i].rigid_y = drawn.supports[i].rigid_y;
-        scene.supports[i].value = drawn.supports[i].value;
-    }
-    return scene;
-}
 
 /// follow: a way, to its end.
 template <class Follow>
