@@ -449,4 +449,40 @@ TEST(FollowMotion, FrictionMeetsWhatOneComponentLeadsTo) {
     EXPECT_TRUE(any);
 }
 
+/// What a led part pushes is placed for its whole way, so that over the last of it the face below it does not slide.
+TEST(FollowMotion, FrictionOfWhatIsPushedThatIsShortOfItsLimitIsTold) {
+    const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+        {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-60, -20], "max": [60, 0]}}},
+        {"name": "slider", "material": "m", "geometry": {"rectangle": {"min": [-20, 0], "max": [0, 20]}}},
+        {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [2, 0], "max": [22, 20]}}}],
+        "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}, {"part": "slider", "rigid": {"translation": [5, null]}}],
+        "loads": [{"part": "slider", "force": [0, -200]}, {"part": "block", "force": [0, -300]}],
+        "accuracy": {"level": "draft"}, "contacts": {"friction": 0.3}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_TRUE(std::any_of(r.reasons.begin(), r.reasons.end(), [](const Reason& reason) {
+        return reason.text.find("friction between floor and block is not at its limit") != std::string::npos;
+    }));
+}
+
+/// A block on a slope slides, bonded of two parts as in one piece: it is drawn where it touches, and friction does not hold it.
+TEST(FollowMotion, BondedPartsTouchWhatOneOfThemTouches) {
+    const auto on_slope = [](const std::string& more, const std::string& loads, const std::string& pairs) {
+        return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "table", "material": "rigid", "geometry": {"rectangle": {"min": [-100, -20], "max": [100, 0]}}},
+            {"name": "stop", "material": "rigid", "geometry": {"rectangle": {"min": [-100, 0], "max": [-80, 40]}}},
+            {"name": "low", "material": "m", "geometry": {"rectangle": {"min": [-20, 0], "max": [0, 10]}}})" +
+                            more + R"(], "supports": [{"part": "table", "rigid": {"translation": [0, 0], "rotation": 0}},
+                {"part": "stop", "rigid": {"translation": [0, 0], "rotation": 0}}],
+            "loads": [{"part": "low", "force": [-25, -43.3]})" +
+                            loads + R"(], "accuracy": {"level": "draft"}, "contacts": {"friction": 0.3)" + pairs + "}}");
+    };
+    const Result one = on_slope("", "", ""),
+                 two = on_slope(
+                     R"(, {"name": "up", "material": "m", "geometry": {"rectangle": {"min": [-20, 10], "max": [0, 20]}}})",
+                     R"(, {"part": "up", "force": [-25, -43.3]})",
+                     R"(, "pairs": [{"between": ["low/*", "up/*"], "kind": "bonded"}])");
+    EXPECT_EQ(one.status, "failed");
+    EXPECT_EQ(two.status, "failed");
+}
+
 }  // namespace abut::follow_motion_test
