@@ -44,7 +44,8 @@ struct Interface {
     /// the interface before it in the list, which has the same points and spline with normals turned left, and is bounded by so
     /// much of its pressure; gaps are slips. Such an interface is bilateral.
     std::optional<double> friction{};
-    /// The interface's unknown coefficients, about, from a solution before; empty: nothing is known. Speed only.
+    /// The interface's unknown coefficients, about, from a solution before; empty: nothing is known. Speed, and
+    /// whether contact is resolved (begin_touching).
     std::vector<double> expected{};
 };
 

@@ -98,8 +98,7 @@ public:
             if (is_held() && move_apart()) return rest();
             VectorXd a = step_to_touch();
             if (farthest(a) * step_fraction <= rest_digits) return lost();
-            std::vector<double> distance;
-            for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
+            const std::vector<double> distance = distances_to_others();
             while (!advance(a)) {
                 a *= 0.5;
                 if (farthest(a) < arrived_fraction) return lost();
@@ -158,9 +157,8 @@ private:
     /// Moves parts out of each other, and nowhere else. False: they still overlap.
     bool move_apart() {
         constexpr int most_steps = 5;
-        const Resisted stay{spring_closing, 1, {}, VectorXd::Zero(moving_.n)};
         for (int k = 0; k < most_steps && closing_.deepest > 0; ++k)
-            if (!advance(settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0), stay)).amplitudes)) break;
+            if (!advance(step_without_loads(VectorXd::Zero(moving_.n), 0))) break;
         return closing_.deepest <= overlap_at_rest;
     }
 
@@ -224,8 +222,7 @@ private:
             before = far;
             if (is_near) a = relaxation.of(a);
             if (farthest(a) > reach_) a *= reach_ / farthest(a);
-            std::vector<double> distance;
-            for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
+            const std::vector<double> distance = distances_to_others();
             if (!advance(a)) {
                 reach_ *= 0.5;
                 if (reach_ < arrived_fraction) return lost();
@@ -286,14 +283,14 @@ private:
     /// however little, faces beside a corner would be found to press.
     void touch() {
         constexpr int least_steps = 3, most_steps = 30, last_looks = 3;
-        constexpr double apart = 3;  // times what the springs are pressed by
+        constexpr double apart = 3;                               // times what the springs are pressed by
+        constexpr double least_way = 3 * apart * spring_closing;  // of a part's size: less is what they push back by
         apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
         put();
-        for (int k = 0; k < last_looks; ++k) {  // what stops a part on the last of its way lets it go some of that
-            Resisted by{spring_closing, 1, {}, VectorXd::Zero(moving_.n)};  // loads give way to what is prescribed
-            by.leading = soft_lead;
-            const VectorXd a = settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(1), by)).amplitudes;
-            if (led_.push_where_blocked(moving_, a, leads_of_step(1), apart * apart * spring_closing))
+        // what stops a part on the last of its way lets it go some of that; loads give way to what is prescribed
+        for (int k = 0; k < last_looks; ++k) {
+            const VectorXd a = step_without_loads(VectorXd::Zero(moving_.n), 1, soft_lead);
+            if (led_.push_where_blocked(moving_, a, leads_of_step(1), least_way))
                 find_moving();
             else if (farthest(a) <= reach_)
                 advance(a);
@@ -349,9 +346,7 @@ private:
             push += (1 - unlike * static_cast<double>(j % 2 == 0 ? j + 1 : -j) / static_cast<double>(n)) * eigen.vectors.col(j);
         const double far = farthest(push) * step_fraction;
         if (far == 0) return push;
-        return settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0),
-                                           {spring_closing, 1, {}, push * (push_fraction / far)}))
-            .amplitudes;
+        return step_without_loads(push * (push_fraction / far), 0);
     }
 
     /// Does a part that was pushed a little go on by itself, instead of back or nowhere?
@@ -397,6 +392,13 @@ private:
         if (!unstable.parts.empty() && is_by_own_loads) return unstable;
         end.unstable = unstable.why;
         return end;
+    }
+
+    /// Amplitudes of a step that the loads have no part in: as near to some motion as gaps and a share of the leads let it.
+    VectorXd step_without_loads(const VectorXd& towards, double share, double leading = 1) const {
+        Resisted by{spring_closing, 1, {}, towards};
+        by.leading = leading;
+        return settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(share), by)).amplitudes;
     }
 
     double pull_on(std::size_t part) const {
@@ -477,6 +479,12 @@ private:
             if (bodies_.of_part[i] != bodies_.of_part[part]) others.extend(bounding_box(scene_.parts[i].part));
         const geometry::Box2 own = bounding_box(scene_.parts[part].part);
         return (own.min - others.max).cwiseMax(others.min - own.max).cwiseMax(0).norm();
+    }
+
+    std::vector<double> distances_to_others() const {
+        std::vector<double> distances;
+        for (std::size_t i = 0; i < sizes_.size(); ++i) distances.push_back(distance_to_others(i));
+        return distances;
     }
 
     /// A part that goes away from all others, or turns all the way round.

@@ -35,8 +35,8 @@ struct Settling {
 Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from = {},
                 bool to_the_end = false);
 
-/// Follows the loads of a scene with friction as if there were none, until parts touch so that friction can hold them all, or
-/// to the end. Not asked where all loaded parts touch others as drawn, or supports lead some.
+/// Follows the loads of a scene with friction: parts fall until they touch, roll about that, slide where friction gives way,
+/// and rest where it holds them all. Not asked where all loaded parts are pressed on others as drawn, or supports lead some.
 Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions);
 /// The plan's row of it.
 Effect large_motion_effect(const Settling& settling);
