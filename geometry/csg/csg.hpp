@@ -66,6 +66,7 @@ struct Loops {
 /// A boundary that is already known (an import): taken as it is.
 struct Imported {
     Part part;
+    double rounding = 0;  ///< how far the digits that it is written with may have moved it
 };
 
 /// A node of the tree: a shape or an operation, with its children in `of`.
@@ -78,6 +79,10 @@ struct CsgNode {
 
 /// The tree rotated about the origin by the angle of cosine c and sine s, then moved by d.
 CsgNode transformed(CsgNode tree, double c, double s, const Vec2& d);
+
+/// How far the digits that the shapes and moves of a tree are written with may have moved what it bounds, at most
+/// (written_digits.hpp); angles and factors are taken as they are.
+double written_rounding(const CsgNode& tree, double size);
 
 /// What is wrong with a model, and where in the plane.
 struct GeometryProblem {

@@ -53,7 +53,7 @@ DraftingSearch drafting_search(const Drawing& drawing, const SketchOptions& opti
     for (const SketchEntity& entity : drawing.entities) box.extend(bounding_box(entity.curve));
     const double size = std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff());
     DraftingSearch search{drawing};
-    MendedLines lines = mended_lines(drawing.entities, plain, precision_of(drawing.entities, size), Mending::usual);
+    MendedLines lines = mended_lines(drawing.entities, plain, precision_of(drawing, size), Mending::usual);
     if (lines.chains.divided.empty()) search.mended = lines;
     cut_tables(lines);
     search.closed = close_outlines(std::move(lines), plain);

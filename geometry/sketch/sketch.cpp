@@ -214,9 +214,10 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
     const Drawing& drawing = lines.drawing;
     const Box2 box = box_of(drawing.entities);
     const Vec2 origin = local_origin(box);
-    const MendingAs as{options, precision_of(drawing.entities, std::max(box.diagonal(), largest_coordinate(box))), how};
+    const MendingAs as{options, precision_of(drawing, std::max(box.diagonal(), largest_coordinate(box))), how};
     SketchParts sketch;
     sketch.parts_by = parts_by;
+    sketch.rounding = std::max(as.precision.written, as.precision.circles);
     std::vector<FoundPart> found;
     std::vector<int> region_parts;
     const std::vector<Hatch> hatches = moved(drawing.hatches, -origin);

@@ -77,6 +77,7 @@ struct Drawing {
     std::string file, format;  ///< format: "DXF AC1014"
     std::string unit;          ///< "mm", "in", ...; empty when the file states none
     std::string cut_at;        ///< of solids: the plane, "z = 5"
+    double factor = 1;         ///< what the coordinates have been multiplied by since they were read
     std::vector<SketchEntity> entities;
     std::map<std::string, EntityCount> counts;  ///< by entity type; the sum of read is every entity of the model space
     std::vector<Ignored> ignored;
@@ -142,6 +143,7 @@ struct SketchParts {
     double open_length = 0;  ///< of all lines that were set aside since they bound nothing
     double tolerance = 0;    ///< the largest that was used
     double merged = 0;       ///< curves nearer than this were taken for one, at most
+    double rounding = 0;     ///< what the digits of the coordinates may have moved outlines by (written_digits.hpp)
 };
 
 /// Joins the entities of each group into closed outlines and sorts them by nesting into parts: one part per outer outline.

@@ -2,11 +2,11 @@
 #include "geometry/sketch/sketch_mended.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
 
+#include "geometry/curves/written_digits.hpp"
 #include "geometry/sketch/sketch_arcs.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
 #include "geometry/sketch/sketch_overlaid.hpp"
@@ -135,42 +135,28 @@ void cut_everywhere(MendedLines& lines) {
     if (split_at_crossings(lines.entities, all, CrossingLines::all, lines.tolerances.coincidence, lines.repairs)) trace(lines);
 }
 
-/// A number of digits that coordinates are written with tells how well they are known if it is more than sizes are given with:
-/// to this fraction of the drawing's own.
-constexpr double most_written_fraction = 1e-4;
-
-/// How far rounding to the last digit that all ends of lines are written with moves a point; 0: they are written with all their
-/// digits, or with as few as sizes are given with.
-double written_rounding(const std::vector<SketchEntity>& entities, double size) {
-    constexpr int most_decimals = 6;
-    std::vector<double> numbers;
-    for (const SketchEntity& entity : entities)
-        if (const auto* line = std::get_if<Segment>(&entity.curve))
-            numbers.insert(numbers.end(), {line->from.x(), line->from.y(), line->to.x(), line->to.y()});
-    double last = 1;
-    for (int k = 0; k <= most_decimals && !numbers.empty(); ++k, last *= 10) {
-        const auto is_written = [&](double x) {
-            constexpr double of_digit = 1e-6;
-            const double scaled = std::abs(x) * last, away = std::abs(scaled - std::round(scaled));
-            return away <= of_digit + 4 * std::numeric_limits<double>::epsilon() * scaled;
-        };
-        if (!std::all_of(numbers.begin(), numbers.end(), is_written)) continue;
-        const double moved = std::sqrt(0.5) / last;
-        return moved <= most_written_fraction * size ? moved : 0;
-    }
-    return 0;
-}
-
 }  // namespace
 
-Precision precision_of(const std::vector<SketchEntity>& entities, double size) {
+Precision precision_of(const Drawing& drawing, double size) {
+    const double unit = drawing.factor;
     double total = 0;
     Box2 box;
-    for (const SketchEntity& entity : entities) {
+    std::vector<Vec2> ends, centres;
+    std::vector<double> radii;
+    for (const SketchEntity& entity : drawing.entities) {
         total += length(entity.curve);
         box.extend(bounding_box(entity.curve));
+        if (const auto* line = std::get_if<Segment>(&entity.curve)) {
+            ends.push_back(line->from / unit);
+            ends.push_back(line->to / unit);
+        } else if (const auto* arc = std::get_if<Arc>(&entity.curve); arc && is_full_turn(entity.curve)) {
+            centres.push_back(arc->center / unit);
+            radii.push_back(arc->radius / unit);
+        }
     }
-    return {rounding_fraction * size, written_rounding(entities, std::min(total, box.diagonal()))};
+    const double all = std::min(total, box.diagonal()) / unit;
+    return {rounding_fraction * size, unit * written_rounding(ends, all),
+            unit * (written_rounding(centres, all) + written_rounding(radii, all))};
 }
 
 void trace(MendedLines& lines) {

@@ -12,10 +12,11 @@ namespace abut::geometry {
 struct Precision {
     double rounding = 0;  ///< what their own rounding in the file amounts to
     double written = 0;   ///< what rounding to the last digit that lines are written with moves a point by; 0: not known
+    double circles = 0;   ///< by how much the digits of centres and radii may have moved circles; 0: not known
 };
-/// Rounding of numbers as large as the drawing (`size`), and of the digits that all ends of its lines are written with, where
-/// these are more than sizes are given with.
-Precision precision_of(const std::vector<SketchEntity>& entities, double size);
+/// Rounding of numbers as large as the drawing (`size`), and of the digits that all ends of its lines, and its circles, are
+/// written with (written_digits.hpp).
+Precision precision_of(const Drawing& drawing, double size);
 
 /// What is near enough to be joined, or one, among entities that may belong together.
 struct JoiningTolerances {

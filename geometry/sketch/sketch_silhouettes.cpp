@@ -192,7 +192,7 @@ Silhouettes block_silhouettes(const Drawing& drawing, const SketchOptions& optio
     for (const SketchEntity& entity : drawing.entities) box.extend(bounding_box(entity.curve));
     const double size =
         box.empty() ? 0 : std::max(box.diagonal(), std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff()));
-    SilhouetteSearch search{drawing, options, precision_of(drawing.entities, size)};
+    SilhouetteSearch search{drawing, options, precision_of(drawing, size)};
     search.run();
     return std::move(search.found);
 }

@@ -16,12 +16,18 @@ SearchDistances::SearchDistances(const Scene& scene) : given_(scene.contacts.sea
     for (const ScenePart& part : scene.parts) {
         boxes_.push_back(bounding_box(part.part));
         extents_.push_back(geometry::extent(part.part));
+        roundings_.push_back(part.rounding);
         levels_.push_back(part.level);
     }
 }
 
 double SearchDistances::size(int first, int second) const {
     return std::min(extents_[at(first)], extents_[at(second)]);
+}
+
+double SearchDistances::precision(int first, int second) const {
+    const double extent = size(first, second), written = roundings_[at(first)] + roundings_[at(second)];
+    return std::max(precision_fraction * extent, std::min(written, written_precision_fraction * extent));
 }
 
 double SearchDistances::searched(int first, int second, double factor) const {

@@ -20,8 +20,9 @@ inline constexpr double shown_fraction = 0.02;
 inline constexpr double touching_fraction = 1e-6;
 
 /// Overlaps below this fraction of the smaller extent are no deeper than drawings are precise, whose ends are joined within as
-/// much: the parts are taken as touching, and a warning says so.
-inline constexpr double precision_fraction = geometry::joining_fraction;
+/// much, and so are those that the digits of coordinates explain, up to the second fraction, where press fits begin: the parts
+/// are taken as touching, and a warning says so.
+inline constexpr double precision_fraction = geometry::joining_fraction, written_precision_fraction = 5e-4;
 
 /// The gap up to which two parts touch: touching_fraction of the smaller extent.
 double touching_length(const geometry::Part& first, const geometry::Part& second);
@@ -36,7 +37,8 @@ public:
     /// The distance up to which two parts are searched; factor: on the first search distance.
     double searched(int first, int second, double factor) const;
     double shown(int first, int second) const;
-    double precision(int first, int second) const { return precision_fraction * size(first, second); }
+    /// The deepest overlap that counts as touching.
+    double precision(int first, int second) const;
     double touching(int first, int second) const { return touching_fraction * size(first, second); }
     /// Do the parts have a level in common, and come their boxes as near as this? Those that do not have nothing to do with
     /// each other.
@@ -45,7 +47,7 @@ public:
 private:
     std::optional<double> given_;  // by the scene
     std::vector<geometry::Box2> boxes_;
-    std::vector<double> extents_;
+    std::vector<double> extents_, roundings_;
     std::vector<Levels> levels_;
 };
 

@@ -131,7 +131,9 @@ Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vect
             const Encounter m = encounter_of(scene, rules, distances, i, j, {far, far, far});
             for (const Candidate& c : m.candidates) ZoneRows(scene, c, far, closing.rows).append();
             append_corner(m, distances.touching(i, j), closing.rows);
-            if (m.overlap) closing.deepest = std::max(closing.deepest, m.overlap->depth / distances.size(i, j));
+            if (!m.overlap) continue;
+            closing.deepest = std::max(closing.deepest, m.overlap->depth / distances.size(i, j));
+            closing.overlaps = closing.overlaps || m.overlap->depth > distances.precision(i, j);
         }
     return closing;
 }

@@ -22,6 +22,7 @@ struct ClosingRow {
 struct Closing {
     std::vector<ClosingRow> rows;
     double deepest = 0;
+    bool overlaps = false;  ///< by more than counts as touching
 };
 
 /// Finds the gaps that parts can close by moving as far as `may_move` says, by part (0: it does not). bodies: by part; those of

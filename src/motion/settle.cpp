@@ -83,7 +83,7 @@ public:
             return end;
         }
         look();
-        if (closing_.deepest > precision_fraction && is_as_drawn())
+        if (closing_.overlaps && is_as_drawn())
             return {Settling::End::not_asked, "parts overlap where they are drawn"};
         Settling end = to_the_end || is_led_far() || goes_far(step_under(least_drag)) ? walk() : rest();
         const bool is_at_rest = end.end == Settling::End::rests || end.end == Settling::End::stays;

@@ -20,6 +20,7 @@ using geometry::Drawing;
 void scale(Drawing& drawing, double factor) {
     geometry::Similarity larger;
     larger.scale = factor;
+    drawing.factor = factor;
     for (geometry::SketchEntity& entity : drawing.entities) entity.curve = transformed(entity.curve, larger);
     for (geometry::SketchProblem& problem : drawing.problems) problem.at *= factor;
     for (geometry::SketchProblem& warning : drawing.warnings) warning.at *= factor;
@@ -164,10 +165,10 @@ std::string read_choice(SceneReading& reading, const JsonValue& node, const char
     return "";
 }
 
-std::optional<geometry::Part> the_only_part(SceneReading& reading, const JsonValue& node,
-                                            std::optional<geometry::SketchParts> sketch, const std::string& choose) {
+std::optional<geometry::Imported> the_only_part(SceneReading& reading, const JsonValue& node,
+                                                std::optional<geometry::SketchParts> sketch, const std::string& choose) {
     if (!sketch) return std::nullopt;
-    if (sketch->parts.size() == 1) return std::move(sketch->parts.front());
+    if (sketch->parts.size() == 1) return geometry::Imported{std::move(sketch->parts.front()), sketch->rounding};
     std::vector<std::string> names;
     for (const geometry::Part& part : sketch->parts) names.push_back(part.name);
     report_problem(reading, node,
@@ -242,7 +243,7 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
     return sketch;
 }
 
-std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node) {
+std::optional<geometry::Imported> import_part(SceneReading& reading, Imports& imports, const JsonValue& node) {
     if (!check_object(reading, node, {"file", "layer", "block", "tolerance", "recognise_arcs"})) return std::nullopt;
     const JsonValue* file = required(reading, node, "file");
     const ImportOptions options = read_import_options(reading, node);
@@ -258,7 +259,7 @@ std::optional<geometry::Part> import_part(SceneReading& reading, Imports& import
     return the_only_part(reading, node, std::move(sketch), "'layer' or 'block'");
 }
 
-std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies) {
+std::optional<geometry::Imported> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies) {
     Words keys{"file", "node", "section", "tolerance"};
     if (bodies == BodiesOf::mesh) keys.emplace_back("recognise_arcs");
     if (!check_object(reading, node, keys)) return std::nullopt;

@@ -46,8 +46,8 @@ enum class BodiesOf { mesh, step };
 
 /// The one part that a `dxf` node (import_part), or a `mesh` or `step` node (import_body) stands for; nothing where there is
 /// none (reported).
-std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node);
-std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies);
+std::optional<geometry::Imported> import_part(SceneReading& reading, Imports& imports, const JsonValue& node);
+std::optional<geometry::Imported> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies);
 
 /// The layers that have entities, in order of first appearance.
 std::vector<std::string> layers_of(const geometry::Drawing& drawing);

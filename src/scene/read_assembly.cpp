@@ -198,7 +198,9 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
                                plan.thickness.value_or(thickness),
                                plan.at->pointer,
                                {},
-                               std::move(plan.level)});
+                               std::move(plan.level),
+                               {},
+                               sketch->rounding});
     }
     tell_views(*import, drawn, imports);
 }

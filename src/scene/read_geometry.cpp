@@ -104,14 +104,14 @@ std::optional<Shape> read_loops_node(SceneReading& reading, Imports&, const Json
 std::optional<Shape> read_dxf_node(SceneReading& reading, Imports& imports, const JsonValue& value) {
     auto part = import_part(reading, imports, value);
     if (!part) return std::nullopt;
-    return geometry::Imported{std::move(*part)};
+    return std::move(*part);
 }
 
 template <BodiesOf bodies>
 std::optional<Shape> read_body_node(SceneReading& reading, Imports& imports, const JsonValue& value) {
     auto part = import_body(reading, imports, value, bodies);
     if (!part) return std::nullopt;
-    return geometry::Imported{std::move(*part)};
+    return std::move(*part);
 }
 
 struct NodeKind {

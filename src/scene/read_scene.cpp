@@ -74,6 +74,10 @@ void read_all_parts(SceneReading& reading, Scene& scene) {
     if (parts) read_parts(reading, imports, *parts, thickness, scene);
     if (assembly) read_assembly(reading, imports, *assembly, thickness, scene);
     scene.imports = std::move(imports.records);
+    geometry::Box2 all;
+    for (const ScenePart& part : scene.parts) all.extend(bounding_box(part.part));
+    for (ScenePart& part : scene.parts)
+        if (part.tree) part.rounding = geometry::written_rounding(*part.tree, all.diagonal());
     for (const ImportRecord& record : scene.imports) {
         if (record.unit.empty() && !scene.length_unit.empty())
             scene.warnings.push_back(record.file + ": the file states no unit of length; its numbers are taken as " +

@@ -51,6 +51,7 @@ struct ScenePart {
     Levels level{};                           ///< parts without a common one have nothing to do with each other
     /// What the part is the value of, at its place; none: an import's part, which is known by its edges.
     std::shared_ptr<const geometry::CsgNode> tree{};
+    double rounding = 0;  ///< how far the digits that it is written with may have moved its boundary (written_digits.hpp)
 };
 
 /// Rotates a part about the origin by the angle of cosine c and sine s, then moves it by d.

@@ -85,6 +85,48 @@ TEST(RoundedDrawing, AnOverlapWithinThePrecisionOfDrawingsIsTouching) {
     EXPECT_THROW(in_a_v(2e-3, "{}"), InputError);
 }
 
+/// Three discs of radius 5 side by side in the corner of a tray, pressed into it by 100 N along the row and 20 N each
+/// down, the whole turned by an angle and moved, all coordinates with three decimals.
+Result in_a_turned_tray(double degrees, double radius) {
+    const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+    const auto at = [&](double x, double y) {
+        const auto rounded = [](double v) { return test::number(std::round(1e3 * v) / 1e3); };
+        return "[" + rounded(c * x - s * y + 3.217) + ", " + rounded(s * x + c * y + 1.431) + "]";
+    };
+    const auto along = [&](double x, double y) {
+        return "[" + test::number(c * x - s * y) + ", " + test::number(s * x + c * y) + "]";
+    };
+    std::string parts = R"({"name": "tray", "material": "m", "geometry": {"polygon": [)" + at(-5, -5) + ", " + at(40, -5) +
+                        ", " + at(40, 0) + ", " + at(0, 0) + ", " + at(0, 20) + ", " + at(-5, 20) + "]}}",
+                loads;
+    for (int k = 0; k < 3; ++k) {
+        const std::string name = "d" + std::to_string(k);
+        parts += R"(, {"name": ")" + name + R"(", "material": "m", "geometry": {"circle": {"center": )" + at(5 + 10 * k, 5) +
+                 R"(, "radius": )" + test::number(radius) + "}}}";
+        loads += (k == 0 ? "" : ", ") + (R"({"part": ")" + name + R"(", "force": )" + along(k == 2 ? -100 : 0, -20) + "}");
+    }
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)" + parts +
+                        R"(], "supports": [{"on": "tray/e0", "fix": ["x", "y"]}], "accuracy": {"level": "draft"}, "loads": [)" +
+                        loads + "]}");
+}
+
+/// Rounding to the last digit makes overlaps of up to one and a half of it; what is drawn deeper, or by a radius, is a fit.
+TEST(RoundedDrawing, AnOverlapThatTheDigitsExplainIsTouching) {
+    for (const double degrees : {0.0, 17.0, 40.0, 71.3}) {
+        SCOPED_TRACE(degrees);
+        const Result r = in_a_turned_tray(degrees, 5);
+        ASSERT_EQ(r.status, "ok") << r.message;
+        int of_row = 0, of_weights = 0;
+        for (const ContactResult& contact : r.contacts) {
+            of_row += std::abs(contact.force.norm() - 100) < 0.1;
+            of_weights += std::abs(contact.force.norm() - 20) < 0.1;
+        }
+        EXPECT_EQ(of_row, 3);
+        EXPECT_EQ(of_weights, 3);
+    }
+    EXPECT_THROW(in_a_turned_tray(17, 5.005), InputError);
+}
+
 TEST(RoundedDrawing, OverlapsArePressedApartOrLeftWhereTheSceneSaysSo) {
     const Result fit = in_a_v(3e-4, R"({"overlap": "press_fit"})"), left = in_a_v(3e-4, R"({"overlap": "ignore"})");
     for (const Result* r : {&fit, &left}) {
