@@ -54,6 +54,37 @@ Scene smooth(Scene scene) {
     return scene;
 }
 
+/// The scene with motions prescribed as far only as these placements have come.
+Scene led_until(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {
+    const Scene there = placed(drawn, conditions, placements);
+    Scene scene = drawn;
+    for (std::size_t k = 0; k < scene.supports.size(); ++k) {
+        Support& s = scene.supports[k];
+        const Support& left = there.supports[k];
+        if (!prescribes_motion(s)) continue;
+        if (s.rigid_x) *s.rigid_x -= *left.rigid_x;
+        if (s.rigid_y) *s.rigid_y -= *left.rigid_y;
+        if (s.rigid_rotation) *s.rigid_rotation -= *left.rigid_rotation;
+        if (s.kind != Support::Kind::displacement) continue;
+        if (s.x) s.value[0] = Expression(s.value[0].constant() - left.value[0].constant());
+        if (s.y) s.value[1] = Expression(s.value[1].constant() - left.value[1].constant());
+    }
+    return scene;
+}
+
+/// Placements at rest, with friction short of the end (with_way_left): all that led parts push is where it is then.
+std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> rest) {
+    std::vector<Placement> led = with_way_left(drawn, conditions, std::move(rest));
+    const Leads leads = leads_of(drawn, conditions);
+    const auto goes = [](const Lead& lead) { return lead.goes_anywhere(); };
+    if (!has_friction(drawn.contacts) || std::none_of(leads.of.begin(), leads.of.end(), goes)) return led;
+    std::vector<Placement> all = settle(smooth(led_until(drawn, conditions, led)), conditions, {}, true).placements;
+    if (all.empty()) return led;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (goes(leads.of[i])) all[i] = led[i];
+    return all;
+}
+
 /// Is the target missed since pairs were found where the parts were?
 bool is_paired_astray(const Scene& scene, const Outcome& out) {
     const std::vector<double> of_pairs = moved_pair_errors(scene, out.solved);
@@ -167,7 +198,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     if (share_not_explained(drawn, motions, loose.placements) > most &&
         !meet_others(drawn, conditions, loose.placements, out.candidates))
         return std::nullopt;
-    return with_way_left(drawn, conditions, std::move(loose.placements));
+    return short_of_rest(drawn, conditions, std::move(loose.placements));
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -249,7 +280,7 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
     if (settling.end != Settling::End::rests) return std::nullopt;
     find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
-    std::vector<Placement> placements = with_way_left(drawn, conditions, settling.placements);
+    std::vector<Placement> placements = short_of_rest(drawn, conditions, settling.placements);
     return Rest{placed(drawn, conditions, placements), std::move(placements)};
 }
 
@@ -264,7 +295,7 @@ std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedC
     else if (would_slide || is_answer)
         return std::nullopt;
     if (there.end != Settling::End::rests) return std::nullopt;
-    return with_way_left(drawn, conditions, std::move(there.placements));
+    return short_of_rest(drawn, conditions, std::move(there.placements));
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -275,7 +306,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!goes_nowhere(beside.placements) &&
             (!has_answer(out) || is_explained_by(drawn, conditions, beside.placements, out.solved)))
-            solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
+            solve_at(drawn, conditions, short_of_rest(drawn, conditions, std::move(beside.placements)), options, seconds, out,
                      rest);
     }
     if (!drawn.in_steps)

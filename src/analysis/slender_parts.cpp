@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Euler's stress of a column of length L and thickness t that is pinned at both ends is pi^2 E t^2 / (12 L^2); held at one end
-// only it is a quarter of that, clamped at both ends four times as much.
+// only it is a quarter of that, clamped at both ends four times as much. The hoop stress of a ring of middle radius R under
+// pressure from outside is at most E t^2 / (4 R^2) [Timoshenko61, chapter 7]: pressures of
+// 3 E I / R^3.
 #include "src/analysis/slender_parts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
@@ -35,13 +39,33 @@ Column column_of(const geometry::Part& part) {
     return column;
 }
 
-/// The mean stress along a direction, in assembly coordinates.
-double mean_stress(const PartOnGrid& g, const Eigen::VectorXd& displacement, double area, const Vec2& along) {
+/// Thickness over middle radius of a part that is a ring, nearly round outside and inside; 0: it is none.
+double ring_slenderness(const geometry::Part& part) {
+    constexpr double round = 0.95;  // of the area that a circle of this length has; regular hexagons have 0.907
+    if (part.loops.size() != 2) return 0;
+    double perimeter = 0;
+    for (const geometry::Loop& loop : part.loops) {
+        geometry::Part outline;
+        for (const int e : loop.edges) outline.edges.push_back(part.edges[at(e)]);
+        const double length = geometry::perimeter(outline);
+        if (4 * std::numbers::pi * std::abs(area(outline)) < round * length * length) return 0;
+        perimeter += length;
+    }
+    const double thickness = 2 * area(part) / perimeter, radius = perimeter / (4 * std::numbers::pi);
+    return thickness / radius;
+}
+
+/// The mean stress, in the part's frame.
+Eigen::Vector3d mean_stress(const PartOnGrid& g, const Eigen::VectorXd& displacement, double area) {
     const solver::FunctionIntegrals mean = integrate_functions(g.input);
     Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
     for (Eigen::Index f = 0; f < mean.dx.size(); ++f)
         gradient += displacement.segment<2>(2 * f) * Eigen::RowVector2d(mean.dx[f], mean.dy[f]) / area;
-    const Eigen::Vector3d s = stress_of(g.input.elasticity, gradient);
+    return stress_of(g.input.elasticity, gradient);
+}
+
+/// The stress along a direction, in assembly coordinates.
+double stress_along(const PartOnGrid& g, const Eigen::Vector3d& s, const Vec2& along) {
     const Vec2 e = g.frame.vector_to_local(along.normalized());
     return s[0] * e.x() * e.x() + s[1] * e.y() * e.y() + 2 * s[2] * e.x() * e.y();
 }
@@ -73,6 +97,30 @@ bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::s
     return std::min(pressed[0], pressed[1]) >= 0.5 * along.norm();
 }
 
+/// Is a part pressed on others all along half of one of its outlines?
+bool is_pressed_around(const SolvedAssembly& solved, std::size_t grid, double outline) {
+    double pressed = 0;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        if (at(solved.contacts[k].face.part[0]) == grid || at(solved.contacts[k].face.part[1]) == grid)
+            for (const PressedStretch& stretch : solved.stretches[k]) pressed += stretch.end - stretch.begin;
+    return pressed >= 0.5 * outline;
+}
+
+std::optional<Finding> ring_that_buckles(const ScenePart& part, const Outcome& out, std::size_t k) {
+    const PartOnGrid& g = out.solved.grids[k];
+    const double critical = 0.25 * std::pow(ring_slenderness(part.part), 2) * g.input.elasticity.d11;
+    if (critical == 0 || out.largest[k].von_mises.value <= critical) return std::nullopt;
+    const double outline = 0.5 * perimeter(part.part);
+    if (is_bonded_along(out.solved, k, outline) || is_pressed_around(out.solved, k, outline)) return std::nullopt;
+    const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part)).head<2>().sum();
+    if (pressed <= critical) return std::nullopt;
+    return Finding{pressed / critical, part.name,
+                   "part " + part.name + " is a thin ring, and pressed around its circumference by " + number_text(pressed, 3) +
+                       " on average: such a ring buckles from " + number_text(critical, 3) +
+                       " on, unless something holds it round; buckling is not computed",
+                   "part " + part.name + " may buckle"};
+}
+
 }  // namespace
 
 void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
@@ -82,12 +130,14 @@ void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
         const PartOnGrid& g = out.solved.grids[k];
         if (g.is_rigid || g.input.structure || g.input.axis || g.input.free_strain) continue;
         const ScenePart& part = scene.parts[at(g.part)];
+        if (std::optional<Finding> ring = ring_that_buckles(part, out, k)) findings.push_back(std::move(*ring));
         const Column column = column_of(part.part);
         const double euler = std::pow(std::numbers::pi * column.slenderness, 2) / 12 * g.input.elasticity.d11;
         const double one_end = 0.25 * euler, both_ends = 4 * euler;
         if (euler == 0 || out.largest[k].von_mises.value <= one_end) continue;
         if (is_bonded_along(out.solved, k, column.along.norm())) continue;
-        const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part), column.along);
+        const double pressed =
+            -stress_along(g, mean_stress(g, out.solved.solution.displacement[k], area(part.part)), column.along);
         if (pressed <= one_end || is_pressed_between(scene, out.solved, k, column.along)) continue;
         const std::string pressed_by =
             "part " + part.name + " is slender, and pressed along its length by " + number_text(pressed, 3) + " on average: ";

@@ -163,6 +163,26 @@ TEST(Assumptions, SlenderColumnsAreSaidToBuckle) {
     EXPECT_TRUE(warning(column(thickness, -5 * euler), "part column is slender").empty());
 }
 
+/// A ring of radius 100 and thickness 1 under pressure from outside buckles from 3 E I / R^3 on.
+TEST(Assumptions, ThinRingsAreSaidToBuckle) {
+    const double critical = 3 * 1000 / 12.0 / std::pow(100, 3);
+    const auto ring = [](double thickness, double pressure) {
+        const std::string inner = std::to_string(100 - 0.5 * thickness), outer = std::to_string(100 + 0.5 * thickness);
+        return test::answer(R"({"abut": 1, "analysis": "plane_stress", "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [
+            {"name": "ring", "material": "m", "geometry": {"difference": [
+                {"circle": {"center": [0, 0], "radius": )" +
+                            outer + R"(}, "name": "out"}, {"circle": {"center": [0, 0], "radius": )" + inner + R"(}}]}}],
+            "supports": [{"part": "ring", "at": [[)" +
+                            outer + R"(, 0], [-)" + outer + R"(, 0]], "fix": ["y"]}, {"part": "ring", "at": [[0, )" + outer +
+                            R"(]], "fix": ["x"]}], "loads": [{"on": "ring/out/circle", "pressure": )" + test::number(pressure) +
+                            "}]}");
+    };
+    EXPECT_TRUE(has_reason(ring(1, 1.5 * critical), "buckling", "part ring may buckle"));
+    EXPECT_FALSE(has_reason(ring(1, 0.7 * critical), "buckling", ""));
+    EXPECT_FALSE(has_reason(ring(1, -1.5 * critical), "buckling", ""));
+    EXPECT_FALSE(has_reason(ring(20, 1.5 * critical), "buckling", ""));
+}
+
 TEST(Assumptions, ThinPartsThatPressThickOnesAreSaid) {
     EXPECT_FALSE(warning(column(2, 1, 3), "contact 1 presses part plate over 1 of its thickness of 3").empty());
     EXPECT_TRUE(warning(column(2, 1), "contact 1 presses").empty());

@@ -449,19 +449,24 @@ TEST(FollowMotion, FrictionMeetsWhatOneComponentLeadsTo) {
     EXPECT_TRUE(any);
 }
 
-/// What a led part pushes is placed for its whole way, so that over the last of it the face below it does not slide.
-TEST(FollowMotion, FrictionOfWhatIsPushedThatIsShortOfItsLimitIsTold) {
-    const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
-        {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-60, -20], "max": [60, 0]}}},
+/// A slider pushes a block to where it ends, in its reach as drawn or far from it: both slide on the floor all the way.
+TEST(FollowMotion, FrictionOfWhatALedPartPushesIsAtItsLimit) {
+    for (const double way : {5.0, 40.0, 2.01}) {
+        SCOPED_TRACE(way);
+        const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+        {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-60, -20], "max": [160, 0]}}},
         {"name": "slider", "material": "m", "geometry": {"rectangle": {"min": [-20, 0], "max": [0, 20]}}},
         {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [2, 0], "max": [22, 20]}}}],
-        "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}, {"part": "slider", "rigid": {"translation": [5, null]}}],
+        "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}, {"part": "slider", "rigid": {"translation": [)" +
+                                      test::number(way) + R"(, null]}}],
         "loads": [{"part": "slider", "force": [0, -200]}, {"part": "block", "force": [0, -300]}],
         "accuracy": {"level": "draft"}, "contacts": {"friction": 0.3}})");
-    ASSERT_EQ(r.status, "ok") << r.message;
-    EXPECT_TRUE(std::any_of(r.reasons.begin(), r.reasons.end(), [](const Reason& reason) {
-        return reason.text.find("friction between floor and block is not at its limit") != std::string::npos;
-    }));
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_NEAR(r.reactions.at(1).force.x(), 0.3 * 500, 0.01 * 150);
+        EXPECT_FALSE(std::any_of(r.reasons.begin(), r.reasons.end(), [](const Reason& reason) {
+            return reason.text.find("is not at its limit") != std::string::npos;
+        }));
+    }
 }
 
 /// A block on a slope slides, bonded of two parts as in one piece: it is drawn where it touches, and friction does not hold it.
