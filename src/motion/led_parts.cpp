@@ -25,7 +25,8 @@ LedParts::LedParts(std::vector<Lead> leads, std::vector<Vec2> centers, std::vect
       centers_(std::move(centers)),
       sizes_(std::move(sizes)),
       bodies_(std::move(bodies)),
-      pushes_(leads_.size(), Eigen::Vector3d::Zero()) {
+      pushes_(leads_.size(), Eigen::Vector3d::Zero()),
+      gets_there_(leads_.size(), 0) {
     ENSURE(centers_.size() == leads_.size() && sizes_.size() == leads_.size() && bodies_.size() == leads_.size(),
            "every part has a place, a size and a body");
 }
@@ -89,9 +90,9 @@ void LedParts::end(std::vector<Placement>& placements) const {
 }
 
 bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked,
-                                  double least_way) {
-    constexpr double gets_there = 0.5;  // soft leads against gaps do all of it, or next to nothing
-    constexpr double strength = 10;     // beside all loads
+                                  double share, double least_way) {
+    constexpr double half = 0.5;     // soft leads against gaps do all of it, or next to nothing
+    constexpr double strength = 10;  // beside all loads
     double loads = 0;
     for (const MovingPart& b : moving.list) loads += b.pull;
     bool any = false;
@@ -100,7 +101,9 @@ bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::Vector
         if (lead.way < 0 || !lead.is_given[at(lead.way)]) continue;
         const double way = asked[at(b.part)].to[lead.way],
                      goes = lead.of(b.motion(step).head<2>(), b.motion(step)[2])[lead.way], arm = lead.way == 2 ? b.arm : 1;
-        if (arm * std::abs(way) <= within * least_way * b.size || goes * way >= gets_there * way * way) continue;
+        if (arm * std::abs(way) <= within * least_way * b.size ||
+            goes * way >= half * (gets_there_[at(b.part)] ? share : 1) * way * way)
+            continue;
         lead.is_given[at(lead.way)] = false;
         const Eigen::Vector3d along = Eigen::Vector3d::Unit(lead.way) * (way > 0 ? 1 : -1);
         const Vec2 force = lead.translation(along.head<2>());
@@ -110,13 +113,17 @@ bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::Vector
     return any;
 }
 
-bool LedParts::end_pushes(const std::vector<Placement>& placements) {
+bool LedParts::end_pushes(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Placement>& placements) {
     bool any = false;
-    for (std::size_t i = 0; i < pushes_.size(); ++i) {
+    for (const MovingPart& b : moving.list) {
+        const std::size_t i = at(b.part);
         Lead& lead = leads_[i];
-        if (pushes_[i].isZero(0) || gone(i, placements[i])[lead.way] / lead.to[lead.way] < 1) continue;
+        if (pushes_[i].isZero(0)) continue;
+        const double goes = lead.of(b.motion(step).head<2>(), b.motion(step)[2])[lead.way];
+        if ((gone(i, placements[i])[lead.way] + goes) / lead.to[lead.way] < 1) continue;
         lead.is_given[at(lead.way)] = true;
         pushes_[i].setZero();
+        gets_there_[i] = 1;
         any = true;
     }
     return any;

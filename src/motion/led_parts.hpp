@@ -30,12 +30,12 @@ public:
     void end(std::vector<Placement>& placements) const;
 
     /// Parts that do not get there by rigid motions, since something stops them, press on that: from here on they are pushed as
-    /// loads would, and what is left of the way is for the bodies to give in. step: amplitudes; least_way: of a part's size,
-    /// from where on it counts. Is any of them new?
+    /// loads would, and what is left of the way is for the bodies to give in. step: amplitudes; share: of what is asked, which
+    /// steps of small parts cut short; least_way: of a part's size, from where on it counts. Is any of them new?
     bool push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked,
-                            double least_way = arrived_fraction);
-    /// What gives way takes a pushed part farther than it is led: there it is led again. Does any push end?
-    bool end_pushes(const std::vector<Placement>& placements);
+                            double share, double least_way = arrived_fraction);
+    /// What gives way would let a step take a pushed part farther than it is led: it is led again from here. Does any push end?
+    bool end_pushes(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Placement>& placements);
     /// Adds the pushes to the loads.
     void act_on(MovingParts& moving) const;
 
@@ -48,6 +48,7 @@ private:
     std::vector<double> sizes_;
     std::vector<int> bodies_;
     std::vector<Eigen::Vector3d> pushes_;  // by part: forces and moments in place of leads that something stops
+    std::vector<char> gets_there_;         // by part: has a push of it ended?
 };
 
 }  // namespace abut

@@ -83,8 +83,7 @@ public:
             return end;
         }
         look();
-        if (closing_.overlaps && is_as_drawn())
-            return {Settling::End::not_asked, "parts overlap where they are drawn"};
+        if (closing_.overlaps && is_as_drawn()) return {Settling::End::not_asked, "parts overlap where they are drawn"};
         Settling end = to_the_end || is_led_far() || goes_far(step_under(least_drag)) ? walk() : rest();
         const bool is_at_rest = end.end == Settling::End::rests || end.end == Settling::End::stays;
         return is_at_rest ? pushed(std::move(end)) : end;
@@ -210,8 +209,9 @@ private:
         double before = 0;
         reach_ = 1;
         for (int k = 0; k < max_steps; ++k) {
-            VectorXd a = next_step(drag);
-            if (drag <= least_drag && led_.push_where_blocked(moving_, a, leads_of_step(1))) {
+            double share = 1;
+            VectorXd a = next_step(drag, share);
+            if (drag <= least_drag && led_.push_where_blocked(moving_, a, leads_of_step(1), share)) {
                 find_moving();
                 drag = 1;
                 continue;
@@ -222,13 +222,16 @@ private:
             before = far;
             if (is_near) a = relaxation.of(a);
             if (farthest(a) > reach_) a *= reach_ / farthest(a);
+            if (led_.end_pushes(moving_, a, placements_)) {
+                find_moving();
+                continue;
+            }
             const std::vector<double> distance = distances_to_others();
             if (!advance(a)) {
                 reach_ *= 0.5;
                 if (reach_ < arrived_fraction) return lost();
                 continue;
             }
-            if (led_.end_pushes(placements_)) find_moving();
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
             if (is_near && far * step_fraction <= arrived_fraction) {
@@ -290,7 +293,7 @@ private:
         // what stops a part on the last of its way lets it go some of that; loads give way to what is prescribed
         for (int k = 0; k < last_looks; ++k) {
             const VectorXd a = step_without_loads(VectorXd::Zero(moving_.n), 1, soft_lead);
-            if (led_.push_where_blocked(moving_, a, leads_of_step(1), least_way))
+            if (led_.push_where_blocked(moving_, a, leads_of_step(1), 1, least_way))
                 find_moving();
             else if (farthest(a) <= reach_)
                 advance(a);
@@ -316,11 +319,11 @@ private:
     }
 
     /// The amplitudes of a step no longer than it may be; raises the drag where that takes it. Prescribed motions wait for the
-    /// loads to do theirs, and then go as far as these follow.
-    VectorXd next_step(double& drag) {
+    /// loads to do theirs, and then go as far as these follow: a share of what leads ask for in a step.
+    VectorXd next_step(double& drag, double& share) {
         constexpr double least_share = 0.05;
         constexpr int most_raises = 8;
-        double share = drag <= least_drag ? 1 : 0;
+        share = drag <= least_drag ? 1 : 0;
         VectorXd a = step_under(drag, share, most_raises);
         for (double far = farthest(a); far > reach_ && drag < most_drag; far = farthest(a)) {
             share = share > least_share ? 0.5 * share : 0;
