@@ -2,7 +2,6 @@
 #include "solver/linear_algebra/ordering.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <numeric>
 #include <utility>
@@ -19,17 +18,21 @@ bool same_below(const SparseSymmetric& m, int c) {
     return std::equal(begin + 1, middle, middle, m.row.begin() + m.first[at(c) + 2]);
 }
 
-std::uint64_t mark(int c) {
-    return (static_cast<std::uint64_t>(c) + 1) * 0x9E3779B97F4A7C15u;
-}
+/// For each row how many entries it has left of the diagonal, and in how many of their columns the row before has one, too.
+struct LeftOfDiagonal {
+    std::vector<int> own, shared;
 
-/// For each row the sum of the marks of its columns left of the diagonal: equal where the columns are.
-std::vector<std::uint64_t> left_of_diagonal(const SparseSymmetric& m) {
-    std::vector<std::uint64_t> sum(at(m.n), 0);
-    for (int c = 0; c < m.n; ++c)
-        for (int k = m.first[at(c)] + 1; k < m.first[at(c) + 1]; ++k) sum[at(m.row[at(k)])] += mark(c);
-    return sum;
-}
+    explicit LeftOfDiagonal(const SparseSymmetric& m) : own(at(m.n), 0), shared(at(m.n), 0) {
+        for (int c = 0; c < m.n; ++c)
+            for (int k = m.first[at(c)] + 1; k < m.first[at(c) + 1]; ++k) {
+                const int row = m.row[at(k)], before = m.row[at(k) - 1];
+                ++own[at(row)];
+                if (before == row - 1 && before > c) ++shared[at(row)];
+            }
+    }
+    /// Has a row the columns of the row before, and that of its diagonal?
+    bool follows(int row) const { return own[at(row)] == own[at(row) - 1] + 1 && shared[at(row)] == own[at(row) - 1]; }
+};
 
 /// Breadth-first levels of one component, neighbours in ascending order of their degree.
 struct Levels {
@@ -93,9 +96,9 @@ Levels from_an_end(Search& search, int start) {
 MergedPattern merged_pattern(const SparseSymmetric& m) {
     MergedPattern p;
     std::vector<int> node(at(m.n));
-    const std::vector<std::uint64_t> left = left_of_diagonal(m);
+    const LeftOfDiagonal left(m);
     for (int c = 0; c < m.n; ++c) {
-        const bool joins = c > 0 && left[at(c)] == left[at(c) - 1] + mark(c - 1) && same_below(m, c - 1);
+        const bool joins = c > 0 && left.follows(c) && same_below(m, c - 1);
         if (!joins) p.first_column.push_back(c);
         node[at(c)] = static_cast<int>(p.first_column.size()) - 1;
     }

@@ -52,6 +52,8 @@ constexpr double noted_turn = 0.5;             // of the target
 constexpr double rounding_of_pressing = 1e-9;  // what is left of resultants that cancel
 /// Of a part's size: how well it is known where a contact's force acts; what works less in a motion works nothing.
 constexpr double known_places = 1e-3;
+/// Of a part's size: where nothing leads parts, lever arms that change by less are those of small displacements.
+constexpr double noted_places = 5e-3;
 /// Of half a contact's length: how well the place of its force within it is known.
 constexpr double known_within_contact = 0.05;
 /// Faces that make a larger angle where they meet have a corner there; fillets, however small, turn by less within a contact.
@@ -359,12 +361,31 @@ Turned turned_of(const Scene& scene, const SolvedAssembly& solved) {
     return turned;
 }
 
+/// Does a support lead a part as a whole?
+bool is_led(const Scene& scene, const SolvedAssembly& solved, std::size_t grid) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) {
+        return s.kind == Support::Kind::rigid && prescribes_motion(s) &&
+               s.part == scene.parts[at(solved.grids[grid].part)].name;
+    });
+}
+
+bool are_led(const Scene& scene) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(),
+                       [](const Support& s) { return s.kind == Support::Kind::rigid && prescribes_motion(s); });
+}
+
+/// The same, but what supports hold stays: how it gives way is small, as all that is strain.
+Turned turned_as_bodies_of(const Scene& scene, const SolvedAssembly& solved, Turned turned) {
+    const std::vector<std::size_t>& free = turned.balance.part;
+    for (std::size_t i = 0; i < turned.motions.size(); ++i)
+        if (std::find(free.begin(), free.end(), i) == free.end() && !is_led(scene, solved, i))
+            turned.motions[i] = {{0, 0}, 0, turned.motions[i].center};
+    turned.lines = moved_forces(scene, solved, turned.motions);
+    return turned;
+}
+
 bool has_resultant(const SolvedAssembly& solved, const MovedForce& line) {
     return line.force.norm() > rounding_of_pressing * pressing_force(solved, line.contact);
-}
-/// Has any contact a resultant? Press fits, which press all round, have none.
-bool has_resultants(const SolvedAssembly& solved, const std::vector<MovedForce>& lines) {
-    return std::any_of(lines.begin(), lines.end(), [&](const MovedForce& l) { return has_resultant(solved, l); });
 }
 
 /// The motions of parts under `share` of a motion of the rows, beside those that they have.
@@ -428,16 +449,15 @@ bool is_half(const Scene& scene, const SolvedAssembly& solved, std::size_t grid)
     });
 }
 
-/// The share by which the moment of contacts' forces about a part changes as supports lead parts as a whole, where its supports
-/// keep it from turning and bear that moment. 0 also for what is no more than how well the places of forces are known, and for
-/// moments that are next to nothing, but on parts that supports lead.
+/// The share by which the moment of contacts' forces about a part changes as supports lead parts as a whole, or, as a share of
+/// these forces at the part's size, as loads move them; where its supports keep it from turning and bear that moment. 0 also
+/// for what is no more than how well the places of forces are known, and for moments that are next to nothing, but on parts
+/// that supports lead.
 double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turned& turned, std::size_t grid) {
     constexpr double next_to_nothing = 0.01;  // of forces times the part's size
-    const auto leads = [&](const Support& s) { return s.kind == Support::Kind::rigid && prescribes_motion(s); };
-    const auto leads_it = [&](const Support& s) { return leads(s) && s.part == scene.parts[at(solved.grids[grid].part)].name; };
     const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, grid);
     const double size = solved.grids[grid].size;
-    if (std::none_of(scene.supports.begin(), scene.supports.end(), leads) || is_half(scene, solved, grid) ||
+    if (solved.grids[grid].input.axis || is_half(scene, solved, grid) ||
         std::any_of(free.begin(), free.end(),
                     [&](const solver::RigidMotion& m) { return std::abs(m.rotation) * size > known_places; }))
         return 0;
@@ -451,13 +471,15 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
             drawn += sign * cross(l.drawn - center, l.force);
             moved += sign * cross(l.moved - moved_center, l.turned);
             forces += l.force.norm();
-            known += known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) * l.force.norm();
+            known += (known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) + l.along.norm()) * l.force.norm();
         }
     const double change = std::abs(moved - drawn), all = forces * size;
-    const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all,
-               is_led = std::any_of(scene.supports.begin(), scene.supports.end(), leads_it);
-    if (change <= known || (is_small && !is_led)) return 0;
-    return std::min(1.0, change / std::abs(drawn));
+    if (change <= known) return 0;
+    if (are_led(scene)) {
+        const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all;
+        return is_small && !is_led(scene, solved, grid) ? 0 : std::min(1.0, change / std::abs(drawn));
+    }
+    return change > noted_places * all ? change / all : 0;
 }
 
 }  // namespace
@@ -489,8 +511,9 @@ bool are_forces_turned(const Scene& scene, const Outcome& out) {
     const Turned turned = turned_of(scene, out.solved);
     const auto& [balance, motions, lines] = turned;
     if (lines.empty()) return false;
+    const Turned as_bodies = turned_as_bodies_of(scene, out.solved, turned);
     for (std::size_t i = 0; i < out.solved.grids.size(); ++i)
-        if (lever_share(scene, out.solved, turned, i) > noted_turn * out.target) return true;
+        if (lever_share(scene, out.solved, as_bodies, i) > noted_turn * out.target) return true;
     if (balance.part.empty()) return false;
     const Rebalanced moved = rebalanced(out.solved, balance, lines, motions);
     double largest = 0, most = 0;
@@ -518,15 +541,19 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
     const SolvedAssembly& solved = out.solved;
     const Turned turned = turned_of(scene, solved);
     const auto& [balance, motions, lines] = turned;
-    if (!has_resultants(solved, lines)) return;
+    // press fits, which press all round, have no resultant
+    if (std::none_of(lines.begin(), lines.end(), [&](const MovedForce& l) { return has_resultant(solved, l); })) return;
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";
     std::vector<Finding> forces, frictions, motions_left, levers;
+    const Turned as_bodies = turned_as_bodies_of(scene, solved, turned);
     for (std::size_t i = 0; i < solved.grids.size(); ++i)
-        if (const double share = lever_share(scene, solved, turned, i); share > noted) {
+        if (const double share = lever_share(scene, solved, as_bodies, i); share > noted) {
             const std::string &name = scene.parts[at(solved.grids[i].part)].name,
-                              text = "the moment of the contacts' forces on " + name + " changes by " + percent_text(share) +
-                                     " as parts move";
+                              text = are_led(scene) ? "the moment of the contacts' forces on " + name + " changes by " +
+                                                          percent_text(share) + " as parts move"
+                                                    : "the contacts' forces on " + name + " move by " + percent_text(share) +
+                                                          " of its size as parts do";
             levers.push_back({share, name, text + ", which the answer leaves out", text});
         }
     tell(std::move(levers), "turned_lever", result);

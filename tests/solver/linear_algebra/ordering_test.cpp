@@ -72,6 +72,40 @@ TEST(Ordering, KeepsRowsApartThatDiffer) {
     EXPECT_EQ(p.row, (std::vector<int>{0, 1, 1, 3, 2, 3, 4, 3, 4, 4}));
 }
 
+/// The numbers of the columns left of 4 and 5 have the same sum.
+TEST(Ordering, KeepsRowsApartWhoseColumnsAddUpAlike) {
+    const MergedPattern p = merged_pattern(pattern(6, {{4, 0}, {4, 3}, {5, 1}, {5, 2}, {5, 4}}));
+    EXPECT_EQ(p.n_nodes(), 6);
+}
+
+/// Rows are joined where they have the same neighbours, and nowhere else.
+TEST(Ordering, NodesStandForTheirRowsExactly) {
+    std::mt19937 random(7);
+    std::size_t joined = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const int n = std::uniform_int_distribution<int>(2, 12)(random);
+        std::vector<std::pair<int, int>> below;
+        for (int r = 0; r < n; ++r)
+            for (int c = 0; c < r; ++c)
+                if (random() % 3 == 0) below.emplace_back(r, c);
+        const SparseSymmetric m = pattern(n, below);
+        std::vector<std::vector<char>> full(static_cast<std::size_t>(n), std::vector<char>(static_cast<std::size_t>(n), 0));
+        for (int c = 0; c < n; ++c)
+            for (int k = m.first[static_cast<std::size_t>(c)]; k < m.first[static_cast<std::size_t>(c) + 1]; ++k) {
+                const auto row = static_cast<std::size_t>(m.row[static_cast<std::size_t>(k)]),
+                           column = static_cast<std::size_t>(c);
+                full[row][column] = full[column][row] = 1;
+            }
+        std::vector<int> first{0};
+        for (int r = 1; r < n; ++r)
+            if (full[static_cast<std::size_t>(r)] != full[static_cast<std::size_t>(r) - 1]) first.push_back(r);
+        joined += static_cast<std::size_t>(n) - first.size();
+        first.push_back(n);
+        ASSERT_EQ(merged_pattern(m).first_column, first) << "trial " << trial;
+    }
+    EXPECT_GT(joined, 100U);
+}
+
 TEST(Ordering, CuthillMcKeeFindsTheNarrowWayThroughABar) {
     for (unsigned seed = 0; seed < 20; ++seed)
         for (int height : {1, 2, 4}) {

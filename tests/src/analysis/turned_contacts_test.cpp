@@ -373,4 +373,44 @@ TEST(TurnedContacts, AndOnAPartThatOneLeadsAlong) {
     EXPECT_NEAR(r.reactions.at(1).moment, -600, 5);
 }
 
+/// A disc on a cantilever that loads push to a wall, drawn so far from it: what bends the beam is the disc's weight where it
+/// comes to rest.
+TEST(TurnedContacts, LeversThatLoadsMoveAreThoseWhereTheyEnd) {
+    const auto pushed = [](double gap, const std::string& more) {
+        return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 200000, "nu": 0.3}}, "parts": [
+            {"name": "beam", "material": "m", "geometry": {"rectangle": {"min": [0, -6], "max": [35, 0]}}}, )" +
+                            circle("d", 13 - gap, 10) + R"(,
+            {"name": "wall", "material": "m", "geometry": {"rectangle": {"min": [23, 1], "max": [38, 25]}}}],
+            "supports": [{"on": "beam/left", "fix": ["x", "y"]}, {"on": "wall/right", "fix": ["x", "y"]},
+                {"part": "d", "rigid": {"translation": null, "rotation": 0}}],
+            "loads": [{"part": "d", "force": [200, -2000]}])" +
+                            more + "}");
+    };
+    const Result at_rest = pushed(0, "");
+    for (const double gap : {0.2, 0.5, 1.0}) {
+        SCOPED_TRACE(gap);
+        const Result r = pushed(gap, "");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_NEAR(r.reactions.at(0).moment, at_rest.reactions.at(0).moment, 1e-3 * at_rest.reactions[0].moment);
+        EXPECT_FALSE(has_reason(r, "turned_lever"));
+    }
+    EXPECT_TRUE(has_reason(pushed(1, R"(, "motion": "off")"), "turned_lever"));
+}
+
+/// Supports that take all parts along change no lever.
+TEST(TurnedContacts, WhatMovesTogetherTurnsNothing) {
+    const auto carried = [](const std::string& x, const std::string& y) {
+        const std::string held = R"("rigid": {"translation": [)" + x + ", " + y + R"(], "rotation": 0}})",
+                          guided = R"("rigid": {"translation": [)" + x + R"(, null])";
+        return test::answer(R"({"abut": 1, "thickness": 25, "materials": {"m": {"E": 200000, "nu": 0.3}}, "parts": [
+            {"name": "beam", "material": "m", "geometry": {"rectangle": {"min": [-15, 20], "max": [65, 25]}}}, )" +
+                            circle("left", 0, 10) + ", " + circle("right", 50, 10) + ", " + circle("top", 20, 35) +
+                            R"(], "supports": [{"part": "left", )" + held + R"(, {"part": "right", )" + held +
+                            R"(, {"part": "top", )" + guided + R"(, "rotation": 0}}, {"part": "beam", )" + guided +
+                            R"(}}], "loads": [{"part": "top", "force": [0, -300]}]})");
+    };
+    EXPECT_FALSE(has_reason(carried("0", "0"), "turned_lever"));
+    EXPECT_FALSE(has_reason(carried("0.01", "-0.02"), "turned_lever"));
+}
+
 }  // namespace abut::turned_contacts_test
