@@ -15,9 +15,9 @@ constexpr int most_threads = 1024;
 }  // namespace
 
 int threads_of(const Arguments& arguments) {
-    const std::optional<double> threads = positive_number(arguments, "--threads");
-    if (!threads) return 0;
-    if (*threads != std::floor(*threads) || *threads > most_threads)
+    if (!has(arguments, "--threads")) return 0;
+    const std::optional<double> threads = to_number(arguments.options.at("--threads"));
+    if (!threads || *threads != std::floor(*threads) || *threads < 1 || *threads > most_threads)
         throw InputError("--threads", "is to be a whole number from 1 to " + std::to_string(most_threads), "");
     return static_cast<int>(*threads);
 }

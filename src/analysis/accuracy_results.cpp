@@ -245,12 +245,14 @@ void fill_errors(const Outcome& out, const ModelErrors& of_model, Result& result
     result.error_estimate.contact_pressure = error.contact_pressure;
     result.error_estimate.stress = error.stress;
     DoubtfulPeaks peaks;
+    constexpr double grows = 1e-9;  // of a pressure: the corner of a uniform stress has one with a limit
     const std::vector<char> is_static = given_by_statics(out.solved);
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
         if (const std::optional<ContactError>& e = error.contacts[k]) {
             const double of_force = force_error(out, error, result, k, k < is_static.size() && is_static[k]);
-            fill_contact(*e, e->at_corner || (k < of_model.at_ends.size() && of_model.at_ends[k]),
-                         std::max(of_force, force_error_of(of_model, k)), out.target, k, result.contacts[k], peaks);
+            const bool at_corner = e->at_corner || (k < of_model.at_ends.size() && of_model.at_ends[k]);
+            fill_contact(*e, at_corner && e->peak > grows, std::max(of_force, force_error_of(of_model, k)), out.target, k,
+                         result.contacts[k], peaks);
         }
     if (!result.accuracy.why.empty())  // the verdict has a worse word already
         for (Finding& f : peaks.uncertain) f.reason.clear();

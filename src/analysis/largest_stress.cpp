@@ -148,8 +148,10 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     }
     result.cell = cell_of(found.von_mises);
     const auto places = singular_places(scene, conditions, solved, grid.part);
-    result.at_corner = is_corners(places, result.von_mises.at, result.cell);
     result.smoothing = smoothing_around(grid, displacement, stress, found.von_mises.element, found.von_mises.local);
+    // the corner of a uniform stress has one with a limit, and smoothing changes nothing
+    result.at_corner =
+        is_corners(places, result.von_mises.at, result.cell) && result.smoothing > rounding_of_strain * result.von_mises.value;
     note_corner(grid, displacement, stress, places, result);
     if (result.at_corner) return result;
     const double hidden = hidden_share(grid.local, found.von_mises.local, result.cell);
