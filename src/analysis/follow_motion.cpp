@@ -275,6 +275,21 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
     tell(std::move(findings), "displacement", result);
 }
 
+/// Where parts go that friction does not hold, far from where they are drawn; nothing where it does, or none is known.
+std::optional<std::vector<Placement>> where_let_go(const Scene& drawn, const ResolvedConditions& conditions,
+                                                   const Outcome& out) {
+    if (has_answer(out) && !far_placements_of(drawn, out.solved)) return std::nullopt;
+    Settling there = settle(smooth(drawn), conditions);
+    if (there.end == Settling::End::not_asked) return std::nullopt;
+    const bool would_slide = out.solved.solution.holding_factor > 0, is_answer = has_answer(out) && !drawn.in_steps;
+    if (Settling held = settle_until_held(drawn, conditions); held.end == Settling::End::rests)
+        there = std::move(held);
+    else if (would_slide || is_answer)
+        return std::nullopt;
+    if (there.end != Settling::End::rests) return std::nullopt;
+    return short_of_rest(drawn, conditions, std::move(there.placements));
+}
+
 }  // namespace
 
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
@@ -286,16 +301,8 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
 
 std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
     if (!has_friction(drawn.contacts)) return std::nullopt;
-    if (has_answer(out) && !far_placements_of(drawn, out.solved)) return std::nullopt;
-    Settling there = settle(smooth(drawn), conditions);
-    if (there.end == Settling::End::not_asked) return std::nullopt;
-    const bool would_slide = out.solved.solution.holding_factor > 0, is_answer = has_answer(out) && !drawn.in_steps;
-    if (Settling held = settle_until_held(drawn, conditions); held.end == Settling::End::rests)
-        there = std::move(held);
-    else if (would_slide || is_answer)
-        return std::nullopt;
-    if (there.end != Settling::End::rests) return std::nullopt;
-    return short_of_rest(drawn, conditions, std::move(there.placements));
+    std::optional<std::vector<Placement>> there = where_let_go(drawn, conditions, out);
+    return there || !has_answer(out) ? there : rest_beside(drawn, conditions, out);
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -312,10 +319,6 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     if (!drawn.in_steps)
         if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
             solve_at(drawn, conditions, std::move(*there), options, seconds, out, rest);
-    if (!rest && !drawn.in_steps && has_answer(out) && has_friction(drawn.contacts) &&
-        why_not_followed(drawn, conditions).empty())
-        if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out))
-            solve_at(drawn, conditions, std::move(*beside), options, seconds, out, rest);
     // With friction parts would begin anew where they have gone, beside springs that begin where they are drawn.
     const bool begins_anew = has_friction(drawn.contacts) && has_support(drawn, Support::Kind::spring);
     for (int k = 0; k < most_placements && has_answer(out) && !begins_anew; ++k) {

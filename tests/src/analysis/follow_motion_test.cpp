@@ -469,6 +469,30 @@ TEST(FollowMotion, FrictionOfWhatALedPartPushesIsAtItsLimit) {
     }
 }
 
+/// A wedge that slides a little way into its seat, with friction: one step of its load is that load.
+TEST(FollowMotion, OneStepIsWhatItsLoadsAreWithoutSteps) {
+    const auto seated = [](const std::string& steps) {
+        return read_scene_text(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "wedge", "material": "m", "geometry": {"polygon": [[-2, 1.2], [2, 1.2], [15, 31.2], [-15, 31.2]]}},
+            {"name": "left", "material": "m", "geometry": {"polygon": [[-40, 6], [-4.6, 6], [-13.26666666666667, 26], [-40, 26]]}},
+            {"name": "right", "material": "m", "geometry": {"polygon": [[40, 6], [4.6, 6], [13.26666666666667, 26], [40, 26]]}}],
+            "supports": [{"on": "left/e3", "fix": ["x", "y"]}, {"on": "right/e3", "fix": ["x", "y"]}],
+            "loads": [{"name": "press", "part": "wedge", "force": [0, -300]}], "contacts": {"friction": 0.2},
+            "accuracy": {"level": "draft"})" +
+                                   steps + "}",
+                               "wedge.json");
+    };
+    const Result plain = analyze(seated(""), {});
+    const std::vector<CaseResult> step = analyze_cases(seated(R"(, "steps": [{"name": "one", "loads": {"press": 1}}])"), {});
+    ASSERT_EQ(plain.status, "ok") << plain.message;
+    ASSERT_EQ(step.size(), 1U);
+    ASSERT_TRUE(plain.parts.at(0).placement);
+    ASSERT_TRUE(step[0].result.parts.at(0).placement);
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_NEAR(step[0].result.contacts.at(k).contact_length, plain.contacts.at(k).contact_length,
+                    0.01 * plain.contacts[k].contact_length);
+}
+
 /// A block on a slope slides, bonded of two parts as in one piece: it is drawn where it touches, and friction does not hold it.
 TEST(FollowMotion, BondedPartsTouchWhatOneOfThemTouches) {
     const auto on_slope = [](const std::string& more, const std::string& loads, const std::string& pairs) {
