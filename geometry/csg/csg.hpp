@@ -80,8 +80,8 @@ struct CsgNode {
 /// The tree rotated about the origin by the angle of cosine c and sine s, then moved by d.
 CsgNode transformed(CsgNode tree, double c, double s, const Vec2& d);
 
-/// How far the digits that the shapes and moves of a tree are written with may have moved what it bounds, at most
-/// (written_digits.hpp); angles and factors are taken as they are.
+/// How far the digits that the shapes and moves of a tree are written with may have moved what it bounds (written_digits.hpp).
+/// Angles, factors, and arcs among loops are taken as they are.
 double written_rounding(const CsgNode& tree, double size);
 
 /// What is wrong with a model, and where in the plane.

@@ -72,17 +72,32 @@ Scene led_until(const Scene& drawn, const ResolvedConditions& conditions, const 
     return scene;
 }
 
-/// Placements at rest, with friction short of the end (with_way_left): all that led parts push is where it is then.
+/// Does a part slide on another that it touches, both placed so, as they go from there to their ends?
+bool slides_to(const Scene& drawn, const std::vector<Candidate>& there, std::size_t part, const std::vector<Placement>& from,
+               const std::vector<Placement>& ends) {
+    constexpr double touches = 1e-3;  // of the part's size: so far are led parts from their end
+    const Vec2 center = centroid(drawn.parts[part].part);
+    const double near = touches * bounding_box(drawn.parts[part].part).diagonal();
+    const auto goes = [&](std::size_t i) -> Vec2 { return ends[i].of(center) - from[i].of(center); };
+    return std::any_of(there.begin(), there.end(), [&](const Candidate& c) {
+        if ((at(c.first) != part && at(c.second) != part) || c.friction == 0 || c.zone.gap_min > near) return false;
+        return (goes(at(c.first)) - goes(at(c.second))).norm() > 0.5 * goes(part).norm();
+    });
+}
+
+/// Placements at rest, with friction short of the end (with_way_left): what led parts push, so that it slides on others, is
+/// where it is then; what they carry along is at its end.
 std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> rest) {
-    std::vector<Placement> led = with_way_left(drawn, conditions, std::move(rest));
+    std::vector<Placement> led = with_way_left(drawn, conditions, rest);
     const Leads leads = leads_of(drawn, conditions);
     const auto goes = [](const Lead& lead) { return lead.goes_anywhere(); };
     if (!has_friction(drawn.contacts) || std::none_of(leads.of.begin(), leads.of.end(), goes)) return led;
     std::vector<Placement> all = settle(smooth(led_until(drawn, conditions, led)), conditions, {}, true).placements;
     if (all.empty()) return led;
+    const std::vector<Candidate> there = find_candidates_anyway(placed(drawn, conditions, all), 1);
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (goes(leads.of[i])) all[i] = led[i];
-    return all;
+        if (!goes(leads.of[i]) && slides_to(drawn, there, i, all, rest)) led[i] = all[i];
+    return led;
 }
 
 /// Is the target missed since pairs were found where the parts were?

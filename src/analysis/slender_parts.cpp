@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Euler's stress of a column of length L and thickness t that is pinned at both ends is pi^2 E t^2 / (12 L^2); held at one end
 // only it is a quarter of that, clamped at both ends four times as much. The hoop stress of a ring of middle radius R under
-// pressure from outside is at most E t^2 / (4 R^2) [Timoshenko61, chapter 7]: pressures of
-// 3 E I / R^3.
+// pressure from outside is at most E t^2 / (4 R^2), of pressures of 3 E I / R^3 [Timoshenko61, chapter 7]. Its mean is that of
+// both normal stresses together.
 #include "src/analysis/slender_parts.hpp"
 
 #include <algorithm>
@@ -97,8 +97,21 @@ bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::s
     return std::min(pressed[0], pressed[1]) >= 0.5 * along.norm();
 }
 
-/// Is a part pressed on others all along half of one of its outlines?
-bool is_pressed_around(const SolvedAssembly& solved, std::size_t grid, double outline) {
+/// Is a part held along edges, or at more points than keep it in its place, or pressed on others all along half of one of its
+/// outlines?
+bool is_held_around(const Scene& scene, const SolvedAssembly& solved, std::size_t grid, double outline) {
+    constexpr std::size_t in_place = 3;
+    std::size_t points = 0;
+    for (const Support& s : scene.supports)
+        if (s.kind == Support::Kind::points && s.part == scene.parts[at(solved.grids[grid].part)].name) points += s.at.size();
+    const std::vector<solver::SupportRecord>& records = solved.problem.parts[grid].supports;
+    const auto holds_edges = [&](const solver::SupportRecord& record) {
+        const Support::Kind kind = scene.supports[at(record.set.tag)].kind;
+        return kind != Support::Kind::points && kind != Support::Kind::rigid;
+    };
+    if (points > in_place || has_support(scene, Support::Kind::spring) ||
+        std::any_of(records.begin(), records.end(), holds_edges))
+        return true;
     double pressed = 0;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         if (at(solved.contacts[k].face.part[0]) == grid || at(solved.contacts[k].face.part[1]) == grid)
@@ -106,14 +119,16 @@ bool is_pressed_around(const SolvedAssembly& solved, std::size_t grid, double ou
     return pressed >= 0.5 * outline;
 }
 
-std::optional<Finding> ring_that_buckles(const ScenePart& part, const Outcome& out, std::size_t k) {
+std::optional<Finding> ring_that_buckles(const Scene& scene, const Outcome& out, std::size_t k) {
     const PartOnGrid& g = out.solved.grids[k];
+    const ScenePart& part = scene.parts[at(g.part)];
     const double critical = 0.25 * std::pow(ring_slenderness(part.part), 2) * g.input.elasticity.d11;
     if (critical == 0 || out.largest[k].von_mises.value <= critical) return std::nullopt;
     const double outline = 0.5 * perimeter(part.part);
-    if (is_bonded_along(out.solved, k, outline) || is_pressed_around(out.solved, k, outline)) return std::nullopt;
+    if (is_bonded_along(out.solved, k, outline) || is_held_around(scene, out.solved, k, outline)) return std::nullopt;
     const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part)).head<2>().sum();
-    if (pressed <= critical) return std::nullopt;
+    constexpr double hoop_alone = 0.75;  // of it is what von Mises' stress is: less is a pressure from inside as well
+    if (pressed <= critical || out.largest[k].von_mises.value < hoop_alone * pressed) return std::nullopt;
     return Finding{pressed / critical, part.name,
                    "part " + part.name + " is a thin ring, and pressed around its circumference by " + number_text(pressed, 3) +
                        " on average: such a ring buckles from " + number_text(critical, 3) +
@@ -130,7 +145,7 @@ void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
         const PartOnGrid& g = out.solved.grids[k];
         if (g.is_rigid || g.input.structure || g.input.axis || g.input.free_strain) continue;
         const ScenePart& part = scene.parts[at(g.part)];
-        if (std::optional<Finding> ring = ring_that_buckles(part, out, k)) findings.push_back(std::move(*ring));
+        if (std::optional<Finding> ring = ring_that_buckles(scene, out, k)) findings.push_back(std::move(*ring));
         const Column column = column_of(part.part);
         const double euler = std::pow(std::numbers::pi * column.slenderness, 2) / 12 * g.input.elasticity.d11;
         const double one_end = 0.25 * euler, both_ends = 4 * euler;

@@ -361,20 +361,20 @@ Turned turned_of(const Scene& scene, const SolvedAssembly& solved) {
     return turned;
 }
 
+bool leads(const Support& s) {
+    return s.kind == Support::Kind::rigid && prescribes_motion(s);
+}
+bool are_led(const Scene& scene) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(), leads);
+}
 /// Does a support lead a part as a whole?
 bool is_led(const Scene& scene, const SolvedAssembly& solved, std::size_t grid) {
-    return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) {
-        return s.kind == Support::Kind::rigid && prescribes_motion(s) &&
-               s.part == scene.parts[at(solved.grids[grid].part)].name;
-    });
-}
-
-bool are_led(const Scene& scene) {
+    const std::string& name = scene.parts[at(solved.grids[grid].part)].name;
     return std::any_of(scene.supports.begin(), scene.supports.end(),
-                       [](const Support& s) { return s.kind == Support::Kind::rigid && prescribes_motion(s); });
+                       [&](const Support& s) { return leads(s) && s.part == name; });
 }
 
-/// The same, but what supports hold stays: how it gives way is small, as all that is strain.
+/// Motions and lines with what supports hold where it was: how it gives way is small, as all that is strain.
 Turned turned_as_bodies_of(const Scene& scene, const SolvedAssembly& solved, Turned turned) {
     const std::vector<std::size_t>& free = turned.balance.part;
     for (std::size_t i = 0; i < turned.motions.size(); ++i)
@@ -441,6 +441,15 @@ Eigen::VectorXd unstable_motion(const Scene& scene, const SolvedAssembly& solved
     return rolling * eigen.eigenvectors().col(most);
 }
 
+/// Where a line's force has moved to; that of flat faces goes with the body that goes farther, and its loads.
+Vec2 taken_along(const SolvedAssembly& solved, const Turned& turned, const MovedForce& line) {
+    if (!line.any_place) return line.moved;
+    const auto goes = [&](std::size_t side) {
+        return turned.motions[at(solved.contacts[line.contact].face.part[side])].at(line.drawn);
+    };
+    return line.drawn + (goes(0).norm() > goes(1).norm() ? goes(0) : goes(1));
+}
+
 /// Is a part half of one, whose other half bears such moments?
 bool is_half(const Scene& scene, const SolvedAssembly& solved, std::size_t grid) {
     const std::vector<solver::SupportRecord>& supports = solved.problem.parts[grid].supports;
@@ -461,6 +470,7 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
         std::any_of(free.begin(), free.end(),
                     [&](const solver::RigidMotion& m) { return std::abs(m.rotation) * size > known_places; }))
         return 0;
+    const bool is_any_led = are_led(scene);
     const solver::RigidMotion& motion = turned.motions[grid];
     const Vec2 center = motion.center, moved_center = center + motion.translation;
     double drawn = 0, moved = 0, forces = 0, known = 0;
@@ -469,13 +479,13 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
             if (at(solved.contacts[l.contact].face.part[at(side)]) != grid) continue;
             const double sign = side == 0 ? 1 : -1;
             drawn += sign * cross(l.drawn - center, l.force);
-            moved += sign * cross(l.moved - moved_center, l.turned);
+            moved += sign * cross((is_any_led ? l.moved : taken_along(solved, turned, l)) - moved_center, l.turned);
             forces += l.force.norm();
             known += (known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) + l.along.norm()) * l.force.norm();
         }
     const double change = std::abs(moved - drawn), all = forces * size;
     if (change <= known) return 0;
-    if (are_led(scene)) {
+    if (is_any_led) {
         const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all;
         return is_small && !is_led(scene, solved, grid) ? 0 : std::min(1.0, change / std::abs(drawn));
     }

@@ -32,7 +32,7 @@ struct Candidate {
     int first, second;  ///< indices into Scene::parts, first < second, or the same: a part with itself
     geometry::FacingZone zone;
     double interference = 0;  ///< by the rule
-    double apart = 0;         ///< an overlap that counts as touching (precision_fraction; where a solution has the parts)
+    double apart = 0;  ///< an overlap that counts as touching (SearchDistances::precision; where a solution has the parts)
     bool no_overlap = false;  ///< drawn overlaps count as touching
     bool bonded = false;      ///< held together as drawn
     double friction = 0;      ///< coefficient; infinite: rough

@@ -20,9 +20,9 @@ inline constexpr double shown_fraction = 0.02;
 inline constexpr double touching_fraction = 1e-6;
 
 /// Overlaps below this fraction of the smaller extent are no deeper than drawings are precise, whose ends are joined within as
-/// much, and so are those that the digits of coordinates explain, up to the second fraction, where press fits begin: the parts
-/// are taken as touching, and a warning says so.
-inline constexpr double precision_fraction = geometry::joining_fraction, written_precision_fraction = 5e-4;
+/// much, and so are those that the digits of coordinates explain, up to the second fraction, which light press fits (H7/p6)
+/// exceed in the mean: the parts are taken as touching, and a warning says so.
+inline constexpr double precision_fraction = geometry::joining_fraction, written_precision_fraction = 2e-4;
 
 /// The gap up to which two parts touch: touching_fraction of the smaller extent.
 double touching_length(const geometry::Part& first, const geometry::Part& second);

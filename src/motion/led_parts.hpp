@@ -30,8 +30,9 @@ public:
     void end(std::vector<Placement>& placements) const;
 
     /// Parts that do not get there by rigid motions, since something stops them, press on that: from here on they are pushed as
-    /// loads would, and what is left of the way is for the bodies to give in. step: amplitudes; share: of what is asked, which
-    /// steps of small parts cut short; least_way: of a part's size, from where on it counts. Is any of them new?
+    /// loads would, and what is left of the way is for the bodies to give in. step: amplitudes; share: of what is asked, by
+    /// which small parts cut the step short; it counts for parts that a push has taken to their end. least_way: of a part's
+    /// size, from where on it counts. Is any of them new?
     bool push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked,
                             double share, double least_way = arrived_fraction);
     /// What gives way would let a step take a pushed part farther than it is led: it is led again from here. Does any push end?
@@ -48,7 +49,7 @@ private:
     std::vector<double> sizes_;
     std::vector<int> bodies_;
     std::vector<Eigen::Vector3d> pushes_;  // by part: forces and moments in place of leads that something stops
-    std::vector<char> gets_there_;         // by part: has a push of it ended?
+    std::vector<char> gets_there_;         // by part: a push has taken it to its end
 };
 
 }  // namespace abut

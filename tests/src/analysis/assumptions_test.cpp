@@ -183,6 +183,24 @@ TEST(Assumptions, ThinRingsAreSaidToBuckle) {
     EXPECT_FALSE(has_reason(ring(20, 1.5 * critical), "buckling", ""));
 }
 
+/// Rings that something holds round, or that fluid presses from both sides.
+TEST(Assumptions, ThinRingsThatAreHeldDoNotBuckle) {
+    const auto ring = [](const std::string& held, const std::string& loads) {
+        return test::answer(R"({"abut": 1, "analysis": "plane_stress", "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [
+            {"name": "ring", "material": "m", "geometry": {"difference": [
+                {"circle": {"center": [0, 0], "radius": 100.5}, "name": "out"}, {"circle": {"center": [0, 0], "radius": 99.5}, "name": "in"}]}}],
+            "supports": [)" +
+                            held + R"(], "loads": [)" + loads + "]}");
+    };
+    const std::string
+        points =
+            R"({"part": "ring", "at": [[100.5, 0], [-100.5, 0]], "fix": ["y"]}, {"part": "ring", "at": [[0, 100.5]], "fix": ["x"]})",
+        outside = R"({"on": "ring/out/circle", "pressure": 0.01})";
+    EXPECT_TRUE(has_reason(ring(points, outside), "buckling", "part ring may buckle"));
+    EXPECT_FALSE(has_reason(ring(R"({"on": "ring/in/circle", "fix": ["x", "y"]})", outside), "buckling", ""));
+    EXPECT_FALSE(has_reason(ring(points, outside + R"(, {"on": "ring/in/circle", "pressure": 0.01})"), "buckling", ""));
+}
+
 TEST(Assumptions, ThinPartsThatPressThickOnesAreSaid) {
     EXPECT_FALSE(warning(column(2, 1, 3), "contact 1 presses part plate over 1 of its thickness of 3").empty());
     EXPECT_TRUE(warning(column(2, 1), "contact 1 presses").empty());

@@ -469,6 +469,22 @@ TEST(FollowMotion, FrictionOfWhatALedPartPushesIsAtItsLimit) {
     }
 }
 
+/// A tray takes a block along: friction carries it, and the lip that stands close behind it has nothing to push.
+TEST(FollowMotion, FrictionOfWhatIsCarriedAlongIsNotDriven) {
+    for (const double gap : {0.01, 0.2}) {
+        SCOPED_TRACE(gap);
+        const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "tray", "material": "m", "geometry": {"union": [{"rectangle": {"min": [-50, -10], "max": [50, 0]}},
+                {"rectangle": {"min": [-50, -10], "max": [-38, 9]}}, {"circle": {"center": [-40, 12], "radius": 10}}]}},
+            {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [)" +
+                                      test::number(-30 + gap) + R"(, 0], "max": [-5, 30]}}}],
+            "supports": [{"part": "tray", "rigid": {"translation": [20, 0], "rotation": 0}}],
+            "loads": [{"part": "block", "force": [0, -300]}], "accuracy": {"level": "draft"}, "contacts": {"friction": 0.3}})");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        for (const ContactResult& c : r.contacts) EXPECT_NEAR(c.force.x(), 0, 0.5);
+    }
+}
+
 /// A wedge that slides a little way into its seat, with friction: one step of its load is that load.
 TEST(FollowMotion, OneStepIsWhatItsLoadsAreWithoutSteps) {
     const auto seated = [](const std::string& steps) {

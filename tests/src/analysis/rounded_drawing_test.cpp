@@ -127,6 +127,21 @@ TEST(RoundedDrawing, AnOverlapThatTheDigitsExplainIsTouching) {
     EXPECT_THROW(in_a_turned_tray(17, 5.005), InputError);
 }
 
+/// Whatever the digits of its place are.
+TEST(RoundedDrawing, ThePressFitOfAShaftIsNoTouch) {
+    for (const char* center : {"[40, 40]", "[40.25, 40]", "[40.253, 40.17]"}) {
+        SCOPED_TRACE(center);
+        const std::string circle = std::string(R"({"circle": {"center": )") + center + R"(, "radius": )";
+        EXPECT_THROW(
+            test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "hub", "material": "m", "geometry": {"difference": [
+                {"rectangle": {"min": [0, 0], "max": [80, 80]}, "name": "b"}, )" +
+                         circle + R"(25}}]}}, {"name": "shaft", "material": "m", "geometry": )" + circle + R"(25.012}}}],
+            "supports": [{"on": "hub/b/bottom", "fix": ["x", "y"]}], "loads": [{"part": "shaft", "force": [0, -100]}]})"),
+            InputError);
+    }
+}
+
 TEST(RoundedDrawing, OverlapsArePressedApartOrLeftWhereTheSceneSaysSo) {
     const Result fit = in_a_v(3e-4, R"({"overlap": "press_fit"})"), left = in_a_v(3e-4, R"({"overlap": "ignore"})");
     for (const Result* r : {&fit, &left}) {

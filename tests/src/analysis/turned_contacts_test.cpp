@@ -397,6 +397,26 @@ TEST(TurnedContacts, LeversThatLoadsMoveAreThoseWhereTheyEnd) {
     EXPECT_TRUE(has_reason(pushed(1, R"(, "motion": "off")"), "turned_lever"));
 }
 
+/// A block that slides to a stop takes its weight along: nothing turns it, and what it slides on is answered where it rests.
+TEST(TurnedContacts, ASliderIsNotTurnedByItsOwnWeight) {
+    const auto slider = [](double gap, const std::string& motion) {
+        return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "table", "material": "m", "geometry": {"rectangle": {"min": [-40, -10], "max": [60, 0]}}},
+            {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [16, 20]}}},
+            {"name": "stop", "material": "m", "geometry": {"circle": {"center": [)" +
+                            test::number(26 + gap) + R"(, 10], "radius": 10}}}],
+            "supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"part": "stop", "rigid": {"translation": [0, 0], "rotation": 0}},
+                {"part": "block", "rigid": {"translation": null, "rotation": 0}}],
+            "loads": [{"part": "block", "force": [300, -500]}], "motion": ")" +
+                            motion + "\"}");
+    };
+    const Result r = slider(1, "off");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    for (const Reason& reason : r.reasons) EXPECT_EQ(reason.text.find("on block move"), std::string::npos) << reason.text;
+    const Result at_rest = slider(0, "auto"), followed = slider(1, "auto");
+    EXPECT_NEAR(followed.reactions.at(0).moment - at_rest.reactions.at(0).moment, 500, 5);
+}
+
 /// Supports that take all parts along change no lever.
 TEST(TurnedContacts, WhatMovesTogetherTurnsNothing) {
     const auto carried = [](const std::string& x, const std::string& y) {
