@@ -87,7 +87,8 @@ bool slides_to(const Scene& drawn, const std::vector<Candidate>& there, std::siz
 
 /// Placements at rest, with friction short of the end (with_way_left): what led parts push, so that it slides on others, is
 /// where it is then; what they carry along is at its end.
-std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> rest) {
+std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedConditions& conditions,
+                                     const std::vector<Placement>& rest) {
     std::vector<Placement> led = with_way_left(drawn, conditions, rest);
     const Leads leads = leads_of(drawn, conditions);
     const auto goes = [](const Lead& lead) { return lead.goes_anywhere(); };
@@ -213,7 +214,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     if (share_not_explained(drawn, motions, loose.placements) > most &&
         !meet_others(drawn, conditions, loose.placements, out.candidates))
         return std::nullopt;
-    return short_of_rest(drawn, conditions, std::move(loose.placements));
+    return short_of_rest(drawn, conditions, loose.placements);
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -302,7 +303,7 @@ std::optional<std::vector<Placement>> where_let_go(const Scene& drawn, const Res
     else if (would_slide || is_answer)
         return std::nullopt;
     if (there.end != Settling::End::rests) return std::nullopt;
-    return short_of_rest(drawn, conditions, std::move(there.placements));
+    return short_of_rest(drawn, conditions, there.placements);
 }
 
 }  // namespace
@@ -328,8 +329,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!goes_nowhere(beside.placements) &&
             (!has_answer(out) || is_explained_by(drawn, conditions, beside.placements, out.solved)))
-            solve_at(drawn, conditions, short_of_rest(drawn, conditions, std::move(beside.placements)), options, seconds, out,
-                     rest);
+            solve_at(drawn, conditions, short_of_rest(drawn, conditions, beside.placements), options, seconds, out, rest);
     }
     if (!drawn.in_steps)
         if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
