@@ -15,6 +15,7 @@
 #include "src/contact/candidates.hpp"
 #include "src/io/number_text.hpp"
 #include "src/motion/leads.hpp"
+#include "src/motion/way_left.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -45,60 +46,6 @@ bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vec
     out = std::move(answer);
     rest = std::move(there);
     return true;
-}
-
-/// The scene without friction.
-Scene smooth(Scene scene) {
-    scene.contacts.friction = 0;
-    for (PairRule& rule : scene.contacts.pairs) rule.friction.reset();
-    return scene;
-}
-
-/// The scene with motions prescribed as far only as these placements have come.
-Scene led_until(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {
-    const Scene there = placed(drawn, conditions, placements);
-    Scene scene = drawn;
-    for (std::size_t k = 0; k < scene.supports.size(); ++k) {
-        Support& s = scene.supports[k];
-        const Support& left = there.supports[k];
-        if (!prescribes_motion(s)) continue;
-        if (s.rigid_x) *s.rigid_x -= *left.rigid_x;
-        if (s.rigid_y) *s.rigid_y -= *left.rigid_y;
-        if (s.rigid_rotation) *s.rigid_rotation -= *left.rigid_rotation;
-        if (s.kind != Support::Kind::displacement) continue;
-        if (s.x) s.value[0] = Expression(s.value[0].constant() - left.value[0].constant());
-        if (s.y) s.value[1] = Expression(s.value[1].constant() - left.value[1].constant());
-    }
-    return scene;
-}
-
-/// Does a part slide on another that it touches, both placed so, as they go from there to their ends?
-bool slides_to(const Scene& drawn, const std::vector<Candidate>& there, std::size_t part, const std::vector<Placement>& from,
-               const std::vector<Placement>& ends) {
-    constexpr double touches = 1e-3;  // of the part's size: so far are led parts from their end
-    const Vec2 center = centroid(drawn.parts[part].part);
-    const double near = touches * bounding_box(drawn.parts[part].part).diagonal();
-    const auto goes = [&](std::size_t i) -> Vec2 { return ends[i].of(center) - from[i].of(center); };
-    return std::any_of(there.begin(), there.end(), [&](const Candidate& c) {
-        if ((at(c.first) != part && at(c.second) != part) || c.friction == 0 || c.zone.gap_min > near) return false;
-        return (goes(at(c.first)) - goes(at(c.second))).norm() > 0.5 * goes(part).norm();
-    });
-}
-
-/// Placements at rest, with friction short of the end (with_way_left): what led parts push, so that it slides on others, is
-/// where it is then; what they carry along is at its end.
-std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedConditions& conditions,
-                                     const std::vector<Placement>& rest) {
-    std::vector<Placement> led = with_way_left(drawn, conditions, rest);
-    const Leads leads = leads_of(drawn, conditions);
-    const auto goes = [](const Lead& lead) { return lead.goes_anywhere(); };
-    if (!has_friction(drawn.contacts) || std::none_of(leads.of.begin(), leads.of.end(), goes)) return led;
-    std::vector<Placement> all = settle(smooth(led_until(drawn, conditions, led)), conditions, {}, true).placements;
-    if (all.empty()) return led;
-    const std::vector<Candidate> there = find_candidates_anyway(placed(drawn, conditions, all), 1);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (!goes(leads.of[i]) && slides_to(drawn, there, i, all, rest)) led[i] = all[i];
-    return led;
 }
 
 /// Is the target missed since pairs were found where the parts were?
@@ -208,7 +155,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
         any_goes = any_goes || distance_between(part, motions[i], {}) > noted * bounding_box(part).diagonal();
     }
     if (!any_goes) return std::nullopt;
-    Settling loose = settle(smooth(drawn), conditions, {}, true);
+    Settling loose = settle(without_friction(drawn), conditions, {}, true);
     if (loose.placements.empty()) return std::nullopt;
     const double most = are_led_far(drawn, conditions) || has_support(drawn, Support::Kind::spring) ? along : elastic;
     if (share_not_explained(drawn, motions, loose.placements) > most &&
@@ -295,7 +242,7 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
 std::optional<std::vector<Placement>> where_let_go(const Scene& drawn, const ResolvedConditions& conditions,
                                                    const Outcome& out) {
     if (has_answer(out) && !far_placements_of(drawn, out.solved)) return std::nullopt;
-    Settling there = settle(smooth(drawn), conditions);
+    Settling there = settle(without_friction(drawn), conditions);
     if (there.end == Settling::End::not_asked) return std::nullopt;
     const bool would_slide = out.solved.solution.holding_factor > 0, is_answer = has_answer(out) && !drawn.in_steps;
     if (Settling held = settle_until_held(drawn, conditions); held.end == Settling::End::rests)

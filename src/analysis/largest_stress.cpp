@@ -96,6 +96,11 @@ bool falls_away(const PartOnGrid& grid, const Eigen::VectorXd& displacement, con
     return around > 0 && at_corner > around / inside * std::pow(cells_away, 0.5 * growth);
 }
 
+/// Does smoothing change a stress? That of a uniform stress, or of another that the spline has, is one with a limit.
+bool is_smoothed(double smoothing, double stress) {
+    return smoothing > rounding_of_strain * stress;
+}
+
 /// Notes the stress at a corner without a limit that is above the largest one on smaller cells; of several the highest there.
 void note_corner(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                  const std::vector<SingularPlace>& places, LargestStress& largest) {
@@ -106,7 +111,8 @@ void note_corner(const PartOnGrid& grid, const Eigen::VectorXd& displacement, co
         const int element = element_at(grid.local, grid.cells, grid.elements, local);
         const double now = von_mises(sample_field(grid, displacement, stress, element, local).stress),
                      then = now * std::pow(smaller_cells, p.growth);
-        if (then <= largest.on_smaller_cells || !falls_away(grid, displacement, stress, local, element, now, p.growth))
+        if (then <= largest.on_smaller_cells || !falls_away(grid, displacement, stress, local, element, now, p.growth) ||
+            !is_smoothed(smoothing_around(grid, displacement, stress, element, local), now))
             continue;
         largest.on_smaller_cells = then;
         largest.corner = ValueAt{now, p.at};
@@ -149,9 +155,8 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     result.cell = cell_of(found.von_mises);
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.smoothing = smoothing_around(grid, displacement, stress, found.von_mises.element, found.von_mises.local);
-    // the corner of a uniform stress has one with a limit, and smoothing changes nothing
     result.at_corner =
-        is_corners(places, result.von_mises.at, result.cell) && result.smoothing > rounding_of_strain * result.von_mises.value;
+        is_corners(places, result.von_mises.at, result.cell) && is_smoothed(result.smoothing, result.von_mises.value);
     note_corner(grid, displacement, stress, places, result);
     if (result.at_corner) return result;
     const double hidden = hidden_share(grid.local, found.von_mises.local, result.cell);

@@ -3,20 +3,9 @@
 // has put the parts: the lines of action turn with their faces and move with their points, dead loads act where they have gone,
 // and the shortest change of the forces that balances all this is what the answer leaves out.
 //
-// A contact of convex bodies. Symbols: body 1 has its outward normal n towards body 2, k1 and k2 are their curvatures (positive
-// convex), a1 and a2 how far the contact moves along t, n turned right, on either body. Where bodies turn by w1 and w2 and move
-// against each other along t by d, a1 = d + a2 and w1 - k1 a1 = w2 + k2 a2, both the angle that the normal turns by:
-//
-//   (k1 w2 + k2 w1 - k1 k2 d) / (k1 + k2),    a2 = (w1 - w2 - k1 d) / (k1 + k2).
-//
-// Small displacements have moved the contact along already: by what the faces are inclined to each other as drawn where they
-// press, which adds to the angles that their bodies turn by.
-//
-// In a hollow face the pressure moves along as it has to: a joint about the centre of the body inside. Flat faces give their
-// force to any place within them.
-//
-// A contact that moves along as its body rolls, while loads stay, balances a moment that it does not have: what loads do in a
-// motion in which no contact force could work where the parts were drawn is balanced by nothing.
+// Where forces have gone: moved_forces.cpp. A contact that moves along as its body rolls, while loads stay, balances a moment
+// that it does not have: what loads do in a motion in which no contact force could work where the parts were drawn is balanced
+// by nothing.
 //
 // Motions in which no force can work (bodies roll on each other) are pushed: loads and forces that work in them then, and not
 // against them, take them farther.
@@ -25,16 +14,16 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/parts/free_motions.hpp"
+#include "src/analysis/lever_changes.hpp"
+#include "src/analysis/moved_forces.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/analysis/static_forces.hpp"
 #include "src/answers/motion_text.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
-#include "src/motion/leads.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -50,80 +39,6 @@ using geometry::cross, geometry::left_of;
 /// Forces are known to about a tenth of what pressures are.
 constexpr double noted_turn = 0.5;             // of the target
 constexpr double rounding_of_pressing = 1e-9;  // what is left of resultants that cancel
-/// Of a part's size: how well it is known where a contact's force acts; what works less in a motion works nothing.
-constexpr double known_places = 1e-3;
-/// Of a part's size: where nothing leads parts, lever arms that change by less are those of small displacements.
-constexpr double noted_places = 5e-3;
-/// Of half a contact's length: how well the place of its force within it is known.
-constexpr double known_within_contact = 0.05;
-/// Faces that make a larger angle where they meet have a corner there; fillets, however small, turn by less within a contact.
-constexpr double meeting_angle = 0.1;
-
-/// A contact's force on its first part: where and what it is in the solution, and as parts have moved if it keeps its size;
-/// what else it can be there.
-struct MovedForce {
-    std::size_t contact;
-    Vec2 drawn, moved;  ///< places
-    Vec2 force{0, 0}, turned{0, 0};
-    bool any_direction = false;  ///< a joint, or friction; what this bears then is looked at (beyond_friction)
-    bool any_place = false;      ///< flat faces, bonds
-    Vec2 along{0, 0};            ///< from `drawn` to where the parts as drawn are closest
-    Vec2 normal{0, 0};           ///< where the parts have moved; none in hollow faces, along which it differs
-};
-
-/// How far body 1 has the contact move along t, and the angle that the normal turns by.
-struct Rolled {
-    double along = 0, angle = 0;
-};
-
-/// Of convex bodies; a corner's curvature may be infinite.
-Rolled rolled(double k1, double k2, double w1, double w2, double d) {
-    if (std::isinf(k1)) return {0, w2 - k2 * d};
-    if (std::isinf(k2)) return {d, w1 - k1 * d};
-    const double sum = k1 + k2;
-    return {d + (w1 - w2 - k1 * d) / sum, (k1 * w2 + k2 * w1 - k1 * k2 * d) / sum};
-}
-
-Vec2 turned_by(const Vec2& v, double angle) {
-    return v * std::cos(angle) + left_of(v) * std::sin(angle);
-}
-
-double angle_between(const Vec2& from, const Vec2& to) {
-    return std::atan2(cross(from, to), from.dot(to));
-}
-
-MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pair, const Vec2& force,
-                       const solver::RigidMotion& m1, const solver::RigidMotion& m2, bool has_friction) {
-    const double k1 = pair.on1.curvature, k2 = pair.on2.curvature;
-    MovedForce line{0, pair.on1.x, pair.on1.x, force, force, has_friction};
-    if (k1 < 0 || k2 < 0) {
-        const double inner = k1 < 0 ? k2 : k1;
-        if (inner > 0) line.drawn += (k1 < 0 ? 1 : -1) / inner * pair.normal;
-        line.moved = line.drawn + (k1 < 0 ? m2 : m1).at(line.drawn);
-        line.any_direction = true;
-    } else if (k1 + k2 == 0 || c.face.bilateral) {
-        const double angle = 0.5 * (m1.rotation + m2.rotation);
-        line.moved += 0.5 * (m1.at(line.drawn) + m2.at(line.drawn));
-        line.normal = turned_by(pair.normal, angle);
-        line.turned = turned_by(force, angle);
-        line.any_place = true;
-        line.any_direction = has_friction || c.face.bilateral;
-    } else {
-        const Vec2 along = -left_of(pair.normal);
-        const double slide = (m2.at(pair.on2.x) - m1.at(pair.on1.x)).dot(along);
-        const double drawn1 = angle_between(pair.normal, pair.on1.normal),
-                     drawn2 = angle_between(pair.normal, -pair.on2.normal);
-        const Rolled r = rolled(k1, k2, drawn1 + m1.rotation, drawn2 + m2.rotation, slide);
-        // no farther than the faces go
-        const double most = std::min(c.zone.chain1.length, c.zone.chain2.length);
-        line.along = std::clamp(rolled(k1, k2, drawn1, drawn2, 0).along, -most, most) * along;
-        line.moved += m1.at(line.drawn) + std::clamp(r.along, -most, most) * along;
-        line.turned = turned_by(force, r.angle);
-        line.normal = turned_by(pair.normal, r.angle);
-    }
-    return line;
-}
-
 /// The system that forces balance in: a row for every free motion of a part that nothing but contacts holds in it.
 struct Balance {
     std::vector<std::size_t> part;            ///< by row: among the grids
@@ -174,66 +89,6 @@ double load_change(const SolvedAssembly& solved, const Balance& b, std::size_t r
     const double virial = turned.moment - cross(center, turned.force);
     const Vec2 force = solved.grids[i].frame.vector_to_global(total.force);
     return b.motion[row].rotation * (cross(moved.translation, force) - moved.rotation * virial);
-}
-
-/// The force of a stretch under pressure on its first part, and the pair in its middle.
-struct StretchForce {
-    std::size_t contact;
-    geometry::FacingPair pair;
-    double half_length;
-    Vec2 force;
-    bool has_friction;
-};
-
-std::vector<StretchForce> stretch_forces(const Scene& scene, const SolvedAssembly& solved) {
-    std::vector<StretchForce> forces;
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        const ContactInterface& c = solved.contacts[k];
-        const std::vector<PressedStretch>& stretches = solved.stretches[k];
-        for (const PressedStretch& stretch : stretches) {
-            const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (stretch.begin + stretch.end));
-            if (!pair.found) continue;
-            const Vec2 force = stretches.size() == 1 ? contact_force(solved, k).force
-                                                     : contact_force_between(solved, k, stretch.begin, stretch.end).force;
-            forces.push_back({k, pair, 0.5 * (stretch.end - stretch.begin), force, friction_of(solved, k) > 0});
-        }
-    }
-    return forces;
-}
-
-/// Two faces that meet in a corner of one body press the same place of the other: what each of them bears is no matter of where
-/// bodies have moved to, but what both bear together, along the other's normal. False: they do not meet, and stay.
-bool join_at_corner(const SolvedAssembly& solved, const StretchForce& other, StretchForce& to) {
-    if (solved.contacts[other.contact].part != solved.contacts[to.contact].part || solved.contacts[to.contact].face.bilateral)
-        return false;
-    if ((other.pair.on1.x - to.pair.on1.x).norm() > 2 * (other.half_length + to.half_length)) return false;
-    const double turn1 = std::abs(angle_between(other.pair.on1.normal, to.pair.on1.normal)),
-                 turn2 = std::abs(angle_between(other.pair.on2.normal, to.pair.on2.normal));
-    // where the other body turns, too, it has a corner of its own in this one's: it rests on two faces
-    if (std::max(turn1, turn2) <= meeting_angle || std::min(turn1, turn2) > 0.5 * std::max(turn1, turn2)) return false;
-    const Vec2 force = other.force + to.force;
-    if (other.force.norm() > to.force.norm()) to = other;
-    to.force = force;
-    (turn1 > turn2 ? to.pair.on1 : to.pair.on2).curvature = std::numeric_limits<double>::infinity();
-    to.pair.normal = turn1 > turn2 ? Vec2(-to.pair.on2.normal) : to.pair.on1.normal;
-    return true;
-}
-
-/// One for every stretch under pressure, and for those together that meet in a corner.
-std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
-                                     const std::vector<solver::RigidMotion>& motions) {
-    std::vector<StretchForce> forces;
-    for (const StretchForce& f : stretch_forces(scene, solved))
-        if (std::none_of(forces.begin(), forces.end(), [&](StretchForce& to) { return join_at_corner(solved, f, to); }))
-            forces.push_back(f);
-    std::vector<MovedForce> lines;
-    for (const StretchForce& f : forces) {
-        const ContactInterface& c = solved.contacts[f.contact];
-        lines.push_back(
-            moved_force(c, f.pair, f.force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], f.has_friction));
-        lines.back().contact = f.contact;
-    }
-    return lines;
 }
 
 /// What a line's force can be besides what it is.
@@ -361,29 +216,6 @@ Turned turned_of(const Scene& scene, const SolvedAssembly& solved) {
     return turned;
 }
 
-bool leads(const Support& s) {
-    return s.kind == Support::Kind::rigid && prescribes_motion(s);
-}
-bool are_led(const Scene& scene) {
-    return std::any_of(scene.supports.begin(), scene.supports.end(), leads);
-}
-/// Does a support lead a part as a whole?
-bool is_led(const Scene& scene, const SolvedAssembly& solved, std::size_t grid) {
-    const std::string& name = scene.parts[at(solved.grids[grid].part)].name;
-    return std::any_of(scene.supports.begin(), scene.supports.end(),
-                       [&](const Support& s) { return leads(s) && s.part == name; });
-}
-
-/// Motions and lines with what supports hold where it was: how it gives way is small, as all that is strain.
-Turned turned_as_bodies_of(const Scene& scene, const SolvedAssembly& solved, Turned turned) {
-    const std::vector<std::size_t>& free = turned.balance.part;
-    for (std::size_t i = 0; i < turned.motions.size(); ++i)
-        if (std::find(free.begin(), free.end(), i) == free.end() && !is_led(scene, solved, i))
-            turned.motions[i] = {{0, 0}, 0, turned.motions[i].center};
-    turned.lines = moved_forces(scene, solved, turned.motions);
-    return turned;
-}
-
 bool has_resultant(const SolvedAssembly& solved, const MovedForce& line) {
     return line.force.norm() > rounding_of_pressing * pressing_force(solved, line.contact);
 }
@@ -441,57 +273,6 @@ Eigen::VectorXd unstable_motion(const Scene& scene, const SolvedAssembly& solved
     return rolling * eigen.eigenvectors().col(most);
 }
 
-/// Where a line's force has moved to; that of flat faces goes with the body that goes farther, and its loads.
-Vec2 taken_along(const SolvedAssembly& solved, const Turned& turned, const MovedForce& line) {
-    if (!line.any_place) return line.moved;
-    const auto goes = [&](std::size_t side) {
-        return turned.motions[at(solved.contacts[line.contact].face.part[side])].at(line.drawn);
-    };
-    return line.drawn + (goes(0).norm() > goes(1).norm() ? goes(0) : goes(1));
-}
-
-/// Is a part half of one, whose other half bears such moments?
-bool is_half(const Scene& scene, const SolvedAssembly& solved, std::size_t grid) {
-    const std::vector<solver::SupportRecord>& supports = solved.problem.parts[grid].supports;
-    return std::any_of(supports.begin(), supports.end(), [&](const solver::SupportRecord& record) {
-        return scene.supports[at(record.set.tag)].kind == Support::Kind::symmetry;
-    });
-}
-
-/// The share by which the moment of contacts' forces about a part changes as supports lead parts as a whole, or, as a share of
-/// these forces at the part's size, as loads move them; where its supports keep it from turning and bear that moment. 0 also
-/// for what is no more than how well the places of forces are known, and for moments that are next to nothing, but on parts
-/// that supports lead.
-double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turned& turned, std::size_t grid) {
-    constexpr double next_to_nothing = 0.01;  // of forces times the part's size
-    const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, grid);
-    const double size = solved.grids[grid].size;
-    if (solved.grids[grid].input.axis || is_half(scene, solved, grid) ||
-        std::any_of(free.begin(), free.end(),
-                    [&](const solver::RigidMotion& m) { return std::abs(m.rotation) * size > known_places; }))
-        return 0;
-    const bool is_any_led = are_led(scene);
-    const solver::RigidMotion& motion = turned.motions[grid];
-    const Vec2 center = motion.center, moved_center = center + motion.translation;
-    double drawn = 0, moved = 0, forces = 0, known = 0;
-    for (const MovedForce& l : turned.lines)
-        for (const int side : {0, 1}) {
-            if (at(solved.contacts[l.contact].face.part[at(side)]) != grid) continue;
-            const double sign = side == 0 ? 1 : -1;
-            drawn += sign * cross(l.drawn - center, l.force);
-            moved += sign * cross((is_any_led ? l.moved : taken_along(solved, turned, l)) - moved_center, l.turned);
-            forces += l.force.norm();
-            known += (known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) + l.along.norm()) * l.force.norm();
-        }
-    const double change = std::abs(moved - drawn), all = forces * size;
-    if (change <= known) return 0;
-    if (is_any_led) {
-        const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all;
-        return is_small && !is_led(scene, solved, grid) ? 0 : std::min(1.0, change / std::abs(drawn));
-    }
-    return change > noted_places * all ? change / all : 0;
-}
-
 }  // namespace
 
 void warn_of_unstable_balance(const Scene& scene, const SolvedAssembly& solved, Result& result) {
@@ -521,9 +302,8 @@ bool are_forces_turned(const Scene& scene, const Outcome& out) {
     const Turned turned = turned_of(scene, out.solved);
     const auto& [balance, motions, lines] = turned;
     if (lines.empty()) return false;
-    const Turned as_bodies = turned_as_bodies_of(scene, out.solved, turned);
-    for (std::size_t i = 0; i < out.solved.grids.size(); ++i)
-        if (lever_share(scene, out.solved, as_bodies, i) > noted_turn * out.target) return true;
+    for (const LeverChange& lever : lever_changes(scene, out.solved))
+        if (lever.share > noted_turn * out.target) return true;
     if (balance.part.empty()) return false;
     const Rebalanced moved = rebalanced(out.solved, balance, lines, motions);
     double largest = 0, most = 0;
@@ -556,16 +336,17 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";
     std::vector<Finding> forces, frictions, motions_left, levers;
-    const Turned as_bodies = turned_as_bodies_of(scene, solved, turned);
-    for (std::size_t i = 0; i < solved.grids.size(); ++i)
-        if (const double share = lever_share(scene, solved, as_bodies, i); share > noted) {
-            const std::string &name = scene.parts[at(solved.grids[i].part)].name,
-                              text = are_led(scene) ? "the moment of the contacts' forces on " + name + " changes by " +
-                                                          percent_text(share) + " as parts move"
-                                                    : "the contacts' forces on " + name + " move by " + percent_text(share) +
-                                                          " of its size as parts do";
-            levers.push_back({share, name, text + ", which the answer leaves out", text});
-        }
+    const std::vector<LeverChange> changes = lever_changes(scene, solved);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        const double share = changes[i].share;
+        if (share <= noted) continue;
+        const std::string &name = scene.parts[at(solved.grids[i].part)].name,
+                          text = changes[i].of_moment ? "the moment of the contacts' forces on " + name + " changes by " +
+                                                            percent_text(share) + " as parts move"
+                                                      : "the contacts' forces on " + name + " move by " + percent_text(share) +
+                                                            " of its size as parts do";
+        levers.push_back({share, name, text + ", which the answer leaves out", text});
+    }
     tell(std::move(levers), "turned_lever", result);
     if (balance.part.empty()) return;
     const double largest = largest_force(lines);

@@ -161,26 +161,6 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
     return scene;
 }
 
-std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedConditions& conditions,
-                                     std::vector<Placement> placements, const std::vector<char>& slide) {
-    constexpr double slides_on = 1e-3;  // of a part's size: some ten times what steel is strained by
-    if (!has_friction(drawn.contacts) || placements.empty()) return placements;
-    const std::vector<Placement> ends = placements;
-    const Leads leads = leads_of(drawn, conditions);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (!leads.of[i].goes_anywhere() && (slide.empty() || !slide[i])) continue;
-        const geometry::Part& part = drawn.parts[i].part;
-        const Vec2 center = centroid(part), by = ends[i].of(center) - center;
-        const double size = bounding_box(part).diagonal(), way = std::max(by.norm(), 0.5 * size * std::abs(ends[i].angle));
-        if (way == 0) continue;
-        const double gone = std::max(0.0, 1 - slides_on * size / way);
-        const auto goes_along = [&](std::size_t k) { return ends[k].angle == ends[i].angle && ends[k].shift == ends[i].shift; };
-        for (std::size_t k = 0; k < ends.size(); ++k)  // bonded to it
-            if (goes_along(k)) placements[k] = about_center(center, gone * by, gone * ends[i].angle);
-    }
-    return placements;
-}
-
 std::string placement_text(const std::string& part, const Placement& placement, const Vec2& center, double size) {
     constexpr double told = 1e-3;       // of its size, by what a turn moves the part's rim
     constexpr double rounding = 1e-12;  // likewise

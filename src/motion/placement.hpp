@@ -57,13 +57,6 @@ std::string why_not_followed(const Scene& scene, const ResolvedConditions& condi
 /// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
 Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements);
 
-/// With friction, placements are the same but for parts that slide: those that supports lead, and others that `slide` says, by
-/// part. They are short of the end by a thousandth of their size, or all of a shorter way, and go that last bit in the
-/// solution, as far as it takes friction to come to its limit beside bodies that are stiff; what was gone before it does not
-/// remember.
-std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedConditions& conditions,
-                                     std::vector<Placement> placements, const std::vector<char>& slide = {});
-
 /// The middle of an assembly that is drawn farther from the origin than it is large: there its coordinates lose the digits that
 /// small steps need. Else nothing.
 std::optional<Vec2> far_middle(const Scene& scene);
