@@ -12,7 +12,9 @@
 #include "apps/progress_line.hpp"
 #include "apps/thread_option.hpp"
 #include "geometry/brep/input_error.hpp"
+#include "src/io/nearest_name.hpp"
 #include "src/io/write_file.hpp"
+#include "src/scene/budget.hpp"
 
 namespace abut {
 
@@ -26,10 +28,22 @@ std::string known_answers_folder(const Arguments& arguments) {
     } catch (const InputError&) { return ""; }
 }
 
+/// Seconds as a number, or a time with its unit, as analyze takes it.
+std::optional<double> seconds_of(const Arguments& arguments, const std::string& name) {
+    if (!has(arguments, name)) return std::nullopt;
+    const std::string& text = arguments.options.at(name);
+    if (to_number(text)) return positive_number(arguments, name);
+    try {
+        const Budget budget = parse_budget(text);
+        if (budget.seconds && !budget.bytes) return budget.seconds;
+    } catch (const InputError&) {}
+    throw InputError(name, "'" + shortened(text) + "' is no time", "give seconds, or a time with its unit: 90, 90s, 5min");
+}
+
 Study study_with_progress(const Arguments& arguments) {
     ProgressLine line(!has(arguments, "--quiet"));
     StudyOptions options;
-    options.budget = positive_number(arguments, "--budget").value_or(options.budget);
+    options.budget = seconds_of(arguments, "--budget").value_or(options.budget);
     if (has(arguments, "--once")) options.repeated_seconds = 0;
     options.threads = threads_of(arguments);
     options.data_folder = known_answers_folder(arguments);
@@ -55,7 +69,7 @@ CommandSpec study_spec() {
         "SCENE",
         "Shows what accuracy costs in time: one scene at many settings of its grids. (Values of its parameters: abut sweep.)",
         {{"-o", "DIR", "folder for study.html, study.csv and study.json (default: out)"},
-         {"--budget", "SECONDS", "runs that would not fit into this are left out and listed (default: 60)"},
+         {"--budget", "TIME", "seconds, or as 5min: runs that would not fit into this are left out and listed (default: 60)"},
          {"--once", "", "solve each setting once: quick, and times are rough"},
          {"--threads", "N", "of the levels' second runs (default: one for each processor; 1: no second runs)"},
          {"--data", "DIR", "folder with the known answers of verify (default: the one the program came with)"},

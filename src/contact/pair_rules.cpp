@@ -30,9 +30,9 @@ FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZon
 }  // namespace
 
 PairRules::PairRules(const Scene& scene) {
-    const auto edges_of = [&](const Selector& selector) {
+    const auto edges_of = [&](const Selection& side) {
         Edges edges;
-        for (const EdgePortion& portion : select(scene, {selector})) edges.insert({portion.part, portion.edge});
+        for (const EdgePortion& portion : select(scene, side)) edges.insert({portion.part, portion.edge});
         return edges;
     };
     for (const PairRule& rule : scene.contacts.pairs) edges_.push_back({edges_of(rule.between[0]), edges_of(rule.between[1])});

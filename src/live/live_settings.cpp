@@ -31,25 +31,34 @@ double nice_above(double value) {
     return 10 * decade;
 }
 
-/// The parts that a side of a rule speaks of, as far as its words say; "" stands for any.
+/// The part that a selector speaks of, as far as its words say; "" stands for any.
 std::string part_in(const Selector& selector) {
     if (selector.pattern.empty()) return selector.part;
     const std::string part = selector.pattern.substr(0, selector.pattern.find('/'));
     return part.find('*') == std::string::npos ? part : "";
 }
 
+/// The part that all of a rule's side speaks of; "" where there are several.
+std::string part_in(const Selection& side) {
+    const std::string part = part_in(side.front());
+    const bool is_one = std::all_of(side.begin(), side.end(), [&](const Selector& s) { return part_in(s) == part; });
+    return is_one ? part : "";
+}
+
 bool speaks_of(const PairRule& rule, const std::array<std::string, 2>& parts) {
     const auto is = [&](std::size_t side, const std::string& part) {
-        const std::string own = part_in(rule.between[side]);
-        return own.empty() || own == part;
+        return std::any_of(rule.between[side].begin(), rule.between[side].end(), [&](const Selector& selector) {
+            const std::string own = part_in(selector);
+            return own.empty() || own == part;
+        });
     };
     return (is(0, parts[0]) && is(1, parts[1])) || (is(0, parts[1]) && is(1, parts[0]));
 }
 
-Selector all_edges_of(const std::string& part) {
+Selection all_edges_of(const std::string& part) {
     Selector all;
     all.pattern = part + "/*";
-    return all;
+    return {all};
 }
 
 void move_selection(Selector& selector, const std::string& part, const Vec2& by) {
@@ -75,7 +84,8 @@ void move_part(Scene& scene, const std::string& name, const Vec2& by) {
             for (Vec2& end : load.across) end += by;
     }
     for (PairRule& rule : scene.contacts.pairs)
-        for (Selector& selector : rule.between) move_selection(selector, name, by);
+        for (Selection& side : rule.between)
+            for (Selector& selector : side) move_selection(selector, name, by);
 }
 
 const LiveSetting& setting_of(const std::vector<LiveSetting>& settings, const std::string& key) {

@@ -53,7 +53,9 @@ void take_off(const Placement& p, const ScenePart& drawn, Support& s) {
 }
 
 bool is_by_place(const PairRule& rule) {
-    return std::any_of(rule.between.begin(), rule.between.end(), [](const Selector& s) { return s.near || s.box || s.facing; });
+    const auto is_by_place = [](const Selector& s) { return s.near || s.box || s.facing; };
+    return std::any_of(rule.between.begin(), rule.between.end(),
+                       [&](const Selection& side) { return std::any_of(side.begin(), side.end(), is_by_place); });
 }
 
 /// Grid lines are given in assembly coordinates turned by -angle.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,19 @@ namespace abut {
 namespace {
 
 using FactsJson = nlohmann::ordered_json;
+
+std::string with_digits(double value, int digits) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value + 0.0);  // no -0
+    return text.data();
+}
+
+/// As many digits as a picture has room for, and all before the point: components of a direction are seldom round.
+std::string shown(double value) {
+    constexpr int least = 5, most = 15;
+    const int before_point = value == 0 ? 1 : 1 + static_cast<int>(std::floor(std::log10(std::abs(value))));
+    return with_digits(value, std::clamp(before_point, least, most));
+}
 
 FactsJson optional_fact(const std::optional<double>& value) {
     return value ? FactsJson(*value) : FactsJson(nullptr);
@@ -65,19 +79,20 @@ std::string model_json(const ModelFacts& model) {
 }
 
 std::string fact_number(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.8g", value + 0.0);  // no -0
-    return text.data();
+    return with_digits(value, 8);
 }
 
 std::string load_words(const LoadFacts& load) {
     std::string words = load.kind + " ";
     std::replace(words.begin(), words.end(), '_', ' ');
     if (load.value.empty()) return words + "that varies";
-    if (load.value.size() == 1)
-        words += fact_number(load.value[0]);
-    else
-        words += "(" + fact_number(load.value[0]) + ", " + fact_number(load.value[1]) + ")";
+    if (load.value.size() == 1) {
+        words += shown(load.value[0]);
+    } else {
+        const double rounding = 1e-12 * std::hypot(load.value[0], load.value[1]);
+        const auto component = [&](double value) { return shown(std::abs(value) > rounding ? value : 0.0); };
+        words += "(" + component(load.value[0]) + ", " + component(load.value[1]) + ")";
+    }
     return load.unit.empty() ? words : words + " " + load.unit;
 }
 

@@ -16,7 +16,7 @@ struct BudgetUnit {
     bool is_time;
     double size;
 };
-constexpr std::array<BudgetUnit, 5> units{
+constexpr std::array<BudgetUnit, 5> budget_units{
     {{"s", true, 1}, {"min", true, 60}, {"h", true, 3600}, {"MB", false, 1e6}, {"GB", false, 1e9}}};
 
 /// Adds one bound; false where it is none, or one of its kind is there.
@@ -25,7 +25,7 @@ bool add_bound(const std::string& text, Budget& budget) {
     double value = 0;
     std::string unit, rest;
     if (!(words >> value >> unit) || words >> rest || !(value > 0)) return false;
-    for (const BudgetUnit& u : units) {
+    for (const BudgetUnit& u : budget_units) {
         std::optional<double>& bound = u.is_time ? budget.seconds : budget.bytes;
         if (unit != u.name) continue;
         if (bound) return false;

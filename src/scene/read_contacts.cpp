@@ -37,7 +37,7 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value,
     if (between && (between->kind != JsonValue::Kind::array || between->items.size() != 2)) {
         report_problem(reading, *between, "expected two selections of edges, found " + described(*between));
     } else if (between) {
-        for (std::size_t i : {0u, 1u}) rule.between[i] = read_selector(reading, between->items[i]).value_or(Selector{});
+        for (std::size_t i : {0u, 1u}) rule.between[i] = read_selection(reading, between->items[i]).value_or(Selection{});
     }
     const JsonValue* kind = find_member(value, "kind");
     const auto word = kind ? read_word(reading, *kind, {"contact", "bonded", "ignore"}) : std::nullopt;

@@ -28,32 +28,7 @@ std::optional<std::array<Vec2, 2>> read_box(SceneReading& reading, const JsonVal
     return std::array<Vec2, 2>{a->cwiseMin(*b), a->cwiseMax(*b)};
 }
 
-std::vector<EdgePortion> check_selector(SceneReading& reading, const Scene& scene, const Selector& selector) {
-    const JsonValue* at = find_pointer(reading.root, selector.where);
-    try {
-        return select(scene, {selector});
-    } catch (const InputError& error) {
-        for (const Problem& problem : error.problems())
-            report_problem(reading, at ? *at : reading.root, problem.what, problem.hint);
-        return {};
-    }
-}
-
-/// A rule for parts that lie on different levels, all of them, says what cannot be.
-void check_rule(SceneReading& reading, const Scene& scene, const PairRule& rule) {
-    const std::vector<EdgePortion> first = check_selector(reading, scene, rule.between[0]),
-                                   second = check_selector(reading, scene, rule.between[1]);
-    if (rule.kind == PairRule::Kind::ignore || first.empty() || second.empty()) return;
-    for (const EdgePortion& a : first)
-        for (const EdgePortion& b : second)
-            if (have_common_level(scene_part(scene, a.part).level, scene_part(scene, b.part).level)) return;
-    report_problem(reading, *find_pointer(reading.root, rule.where),
-                   "these edges belong to parts that have no level in common: they cannot meet",
-                   "give the parts a common \"level\", or take the rule away");
-}
-
-}  // namespace
-
+/// Reads one selector: one text or one object.
 std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& value) {
     Selector selector;
     selector.where = value.pointer;
@@ -82,6 +57,41 @@ std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& va
     return selector;
 }
 
+std::vector<EdgePortion> check_selector(SceneReading& reading, const Scene& scene, const Selector& selector) {
+    const JsonValue* at = find_pointer(reading.root, selector.where);
+    try {
+        return select(scene, {selector});
+    } catch (const InputError& error) {
+        for (const Problem& problem : error.problems())
+            report_problem(reading, at ? *at : reading.root, problem.what, problem.hint);
+        return {};
+    }
+}
+
+std::vector<EdgePortion> check_selection(SceneReading& reading, const Scene& scene, const Selection& selection) {
+    std::vector<EdgePortion> portions;
+    for (const Selector& selector : selection) {
+        const std::vector<EdgePortion> own = check_selector(reading, scene, selector);
+        portions.insert(portions.end(), own.begin(), own.end());
+    }
+    return portions;
+}
+
+/// A rule for parts that lie on different levels, all of them, says what cannot be.
+void check_rule(SceneReading& reading, const Scene& scene, const PairRule& rule) {
+    const std::vector<EdgePortion> first = check_selection(reading, scene, rule.between[0]),
+                                   second = check_selection(reading, scene, rule.between[1]);
+    if (rule.kind == PairRule::Kind::ignore || first.empty() || second.empty()) return;
+    for (const EdgePortion& a : first)
+        for (const EdgePortion& b : second)
+            if (have_common_level(scene_part(scene, a.part).level, scene_part(scene, b.part).level)) return;
+    report_problem(reading, *find_pointer(reading.root, rule.where),
+                   "these edges belong to parts that have no level in common: they cannot meet",
+                   "give the parts a common \"level\", or take the rule away");
+}
+
+}  // namespace
+
 std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& value) {
     Selection selection;
     if (value.kind != JsonValue::Kind::array) {
@@ -96,12 +106,8 @@ std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& 
 }
 
 void check_selections(SceneReading& reading, const Scene& scene) {
-    for (const Support& support : scene.supports) {
-        for (const Selector& selector : support.on) check_selector(reading, scene, selector);
-    }
-    for (const Load& load : scene.loads) {
-        for (const Selector& selector : load.on) check_selector(reading, scene, selector);
-    }
+    for (const Support& support : scene.supports) check_selection(reading, scene, support.on);
+    for (const Load& load : scene.loads) check_selection(reading, scene, load.on);
     for (const PairRule& pair : scene.contacts.pairs) check_rule(reading, scene, pair);
 }
 

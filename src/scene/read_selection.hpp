@@ -8,10 +8,7 @@
 
 namespace abut {
 
-/// Reads one selector: one text or one object.
-std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& value);
-
-/// Reads the value of "on": one selector or a list of them. Empty where it is wrong (reported).
+/// Reads the value of "on", or a side of a rule: one selector or a list of them. Empty where it is wrong (reported).
 std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& value);
 
 /// Reports every selector that matches no edge of the scene's parts.

@@ -123,7 +123,7 @@ struct LoadCase {
 
 /// A rule for what may touch: two selections and how they meet.
 struct PairRule {
-    std::array<Selector, 2> between;
+    std::array<Selection, 2> between;
     enum class Kind { contact, bonded, ignore } kind = Kind::contact;
     double interference = 0;
     std::optional<double> friction{};  ///< coefficient, infinite: rough; unset: that of all contacts

@@ -25,13 +25,14 @@ TEST_F(StudyCommand, PrintsItsJsonOrNothing) {
     write("scene.json", SceneText{}.text());
     const Outcome json = abut({"study", "scene.json", "--json", "--once", "--budget", "2"});
     EXPECT_TRUE(nlohmann::json::parse(json.output).contains("runs"));
-    EXPECT_EQ(abut({"study", "scene.json", "--quiet", "--budget=0.3"}).output, "");
+    EXPECT_EQ(abut({"study", "scene.json", "--quiet", "--budget=0.005min"}).output, "");
 }
 
 TEST_F(StudyCommand, RefusesWrongUsageAndWrongScenes) {
     expect_refused(abut({"study", "missing.json"}), 1);
     write("scene.json", SceneText{}.text());
-    expect_refused(abut({"study", "scene.json", "--budget", "-3"}), 1);
+    for (const char* budget : {"-3", "0s", "2GB", "30s,2GB", "soon"})
+        expect_refused(abut({"study", "scene.json", "--budget", budget}), 1);
     expect_refused(abut({"study", "scene.json", "--threads", "1.5"}), 1);
     expect_refused(abut({"study", "scene.json", "--data", "."}), 1);
     SceneText wrong;

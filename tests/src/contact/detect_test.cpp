@@ -53,6 +53,13 @@ Part disc(const Vec2& center, double radius) {
     return part;
 }
 
+/// Those of a pattern, as a rule's side.
+Selection edges(const std::string& pattern) {
+    Selector selector;
+    selector.pattern = pattern;
+    return {selector};
+}
+
 Part plate_with_hole(double half, const Vec2& center, double radius) {
     Part part = block(-half, -half, half, half);
     add_loop(part, {Arc{center, radius, 0, -2 * pi}}, {"hole"});
@@ -343,16 +350,18 @@ TEST(Detect, IgnoredPairsAreLeftOut) {
     EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 3u);
     PairRule rule;
     rule.kind = PairRule::Kind::ignore;
-    rule.between[0].pattern = "b/left";
-    rule.between[1].pattern = "a/right";
+    rule.between = {edges("b/left"), edges("a/right")};
     scene.contacts.pairs.push_back(rule);
     const Detection fewer = detect_contacts(scene, {});
     ASSERT_EQ(fewer.pairs.size(), 2u);
     EXPECT_EQ(fewer.pairs[0].parts[1], "c");
-    rule.between[0].pattern = "c/*";
-    rule.between[1].pattern = "a/*";
+    rule.between = {edges("c/*"), edges("a/*")};
     scene.contacts.pairs.push_back(rule);
     EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 1u);
+    const Selection two{edges("b/left").front(), edges("b/top").front()};
+    rule.between = {two, edges("c/*")};
+    scene.contacts.pairs.push_back(rule);
+    EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 0u);
 }
 
 TEST(Detect, PartsOfARealDrawing) {

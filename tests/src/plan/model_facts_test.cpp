@@ -36,6 +36,20 @@ TEST(ModelFactsOf, SayWhatTheSceneGives) {
     EXPECT_FALSE(facts.supports[0].at.empty());
 }
 
+TEST(ModelFactsOf, WriteLoadsInAsManyDigitsAsAPictureHasRoomFor) {
+    const auto words = [](std::vector<double> value) {
+        LoadFacts load;
+        load.kind = "force";
+        load.value = std::move(value);
+        return load_words(load);
+    };
+    EXPECT_EQ(words({17.5423017, -57.37828}), "force (17.542, -57.378)");
+    EXPECT_EQ(words({3.7e-15, 60}), "force (0, 60)");
+    EXPECT_EQ(words({1234567}), "force 1234567");
+    EXPECT_EQ(words({-150000.25, 0.0012345678}), "force (-150000, 0.0012346)");
+    EXPECT_EQ(words({0, 0}), "force (0, 0)");
+}
+
 TEST(ModelFactsOf, TellThicknessesThatNobodyGave) {
     const auto defaults = [](const std::string& scene, const std::string& part) {
         const Scene read = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, )" + scene +

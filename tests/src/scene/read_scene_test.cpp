@@ -407,7 +407,7 @@ TEST(ReadScene, gravity_needs_densities) {
 TEST(ReadScene, contacts) {
     const ContactOptions contacts =
         with_members(R"("contacts": {"detect": false, "search_distance": 0.5, "formulation": "mortar", "friction": 0,
-        "overlap": "press_fit", "pairs": [{"between": ["p/left", {"part": "p", "near": [1, 0.5]}], "kind": "ignore"},
+        "overlap": "press_fit", "pairs": [{"between": [["p/left", "p/top"], {"part": "p", "near": [1, 0.5]}], "kind": "ignore"},
                                           {"between": ["p/top", "p/bottom"], "interference": "1/100"}]})")
             .contacts;
     EXPECT_FALSE(contacts.detect);
@@ -415,7 +415,9 @@ TEST(ReadScene, contacts) {
     EXPECT_EQ(contacts.overlap, "press_fit");
     ASSERT_EQ(contacts.pairs.size(), 2u);
     EXPECT_EQ(contacts.pairs[0].kind, PairRule::Kind::ignore);
-    EXPECT_EQ(contacts.pairs[0].between[1].part, "p");
+    ASSERT_EQ(contacts.pairs[0].between[0].size(), 2u);
+    EXPECT_EQ(contacts.pairs[0].between[0][1].pattern, "p/top");
+    EXPECT_EQ(contacts.pairs[0].between[1].front().part, "p");
     EXPECT_EQ(contacts.pairs[1].kind, PairRule::Kind::contact);
     EXPECT_EQ(contacts.pairs[1].interference, 0.01);
     EXPECT_FALSE(with_members(R"("contacts": {"search_distance": "auto"})").contacts.search_distance);
