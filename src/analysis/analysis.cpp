@@ -22,6 +22,7 @@
 #include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/needed_friction.hpp"
 #include "src/analysis/point_shares.hpp"
+#include "src/analysis/second_order.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/singular_places.hpp"
 #include "src/analysis/slender_parts.hpp"
@@ -237,6 +238,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     check_assumptions(scene, conditions, out, result);
     warn_of_turned_contacts(scene, out, result);
     warn_of_unstable_balance(scene, solved, result);
+    warn_of_second_order(scene, out, threads, result);
     warn_of_buckling(scene, out, result);
     note_own_factors(scene, out, result);
     if (solved.solution.is_way_broken)

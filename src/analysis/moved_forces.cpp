@@ -50,13 +50,14 @@ double angle_between(const Vec2& from, const Vec2& to) {
     return std::atan2(cross(from, to), from.dot(to));
 }
 
-MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pair, const Vec2& force,
+MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pair, const Vec2& force, double pressing,
                        const solver::RigidMotion& m1, const solver::RigidMotion& m2, bool has_friction) {
     const double k1 = pair.on1.curvature, k2 = pair.on2.curvature;
     MovedForce line{0, pair.on1.x, pair.on1.x, force, force, has_friction};
     if (k1 < 0 || k2 < 0) {
         const double inner = k1 < 0 ? k2 : k1;
         if (inner > 0) line.drawn += (k1 < 0 ? 1 : -1) / inner * pair.normal;
+        if (inner > 0) line.virial = (k1 < 0 ? 1 : -1) / inner * pressing;
         line.moved = line.drawn + (k1 < 0 ? m2 : m1).at(line.drawn);
         line.any_direction = true;
     } else if (k1 + k2 == 0 || c.face.bilateral) {
@@ -88,6 +89,7 @@ struct StretchForce {
     geometry::FacingPair pair;
     double half_length;
     Vec2 force;
+    double pressing;  ///< the integral of the pressure
     bool has_friction;
 };
 
@@ -101,7 +103,8 @@ std::vector<StretchForce> stretch_forces(const Scene& scene, const SolvedAssembl
             if (!pair.found) continue;
             const Vec2 force = stretches.size() == 1 ? contact_force(solved, k).force
                                                      : contact_force_between(solved, k, stretch.begin, stretch.end).force;
-            forces.push_back({k, pair, 0.5 * (stretch.end - stretch.begin), force, friction_of(solved, k) > 0});
+            forces.push_back({k, pair, 0.5 * (stretch.end - stretch.begin), force,
+                              stretches.size() == 1 ? pressing_force(solved, k) : force.norm(), friction_of(solved, k) > 0});
         }
     }
     return forces;
@@ -136,8 +139,8 @@ std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& s
     std::vector<MovedForce> lines;
     for (const StretchForce& f : forces) {
         const ContactInterface& c = solved.contacts[f.contact];
-        lines.push_back(
-            moved_force(c, f.pair, f.force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], f.has_friction));
+        lines.push_back(moved_force(c, f.pair, f.force, f.pressing, motions[at(c.face.part[0])], motions[at(c.face.part[1])],
+                                    f.has_friction));
         lines.back().contact = f.contact;
     }
     return lines;

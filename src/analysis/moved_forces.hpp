@@ -22,6 +22,7 @@ struct MovedForce {
     Vec2 force{0, 0}, turned{0, 0};
     bool any_direction = false;  ///< a joint, or friction; what this bears then is looked at (beyond_friction)
     bool any_place = false;      ///< flat faces, bonds
+    double virial = 0;           ///< the sum of place about `drawn` times force: round about a joint there is one
     Vec2 along{0, 0};            ///< from `drawn` to where the parts as drawn are closest
     Vec2 normal{0, 0};           ///< where the parts have moved; none in hollow faces, along which it differs
 };
