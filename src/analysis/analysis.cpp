@@ -20,6 +20,7 @@
 #include "src/analysis/idle_holds.hpp"
 #include "src/analysis/motions_at_limit.hpp"
 #include "src/analysis/moved_pairs.hpp"
+#include "src/analysis/moved_parts.hpp"
 #include "src/analysis/needed_friction.hpp"
 #include "src/analysis/point_shares.hpp"
 #include "src/analysis/second_order.hpp"
@@ -39,6 +40,7 @@
 #include "src/contact/candidate_faces.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/io/number_text.hpp"
+#include "src/plan/inclined_cuts.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/stray_selections.hpp"
 #include "src/results/findings.hpp"
@@ -239,6 +241,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     warn_of_turned_contacts(scene, out, result);
     warn_of_unstable_balance(scene, solved, result);
     warn_of_second_order(scene, out, threads, result);
+    warn_of_moved_parts(scene, solved, result);
     warn_of_buckling(scene, out, result);
     note_own_factors(scene, out, result);
     if (solved.solution.is_way_broken)
@@ -292,6 +295,7 @@ Begun begin_analysis(const Scene& drawn, Stopwatches& seconds, const std::vector
     check_probes(drawn);
     begun.conditions = resolve_conditions(drawn);
     for (const std::string& stray : stray_selections(drawn)) result.warnings.push_back(stray);
+    for (const std::string& cut : inclined_cuts(drawn)) result.warnings.push_back(cut);
     result.effects = plan_effects(drawn, begun.conditions);
     const auto begin = std::chrono::steady_clock::now();
     begun.settling = settle(drawn, begun.conditions, from);

@@ -17,7 +17,7 @@ namespace abut {
 namespace {
 
 /// Forces push across a direction where less of them than this goes along it.
-constexpr double across = 0.01;
+constexpr double next_to_none = 0.01;
 /// Coefficients that any dry faces have.
 constexpr double least_noted = 0.01;
 
@@ -46,7 +46,7 @@ std::optional<double> pressed_across(const Result& result, int part, int axis, d
         if (c.part[0] != part && c.part[1] != part) continue;
         const double force = c.force.norm(), along = (c.part[0] == part ? 1 : -1) * c.force[axis];
         if (c.kind != "contact" || c.friction) return std::nullopt;
-        if (std::abs(along) <= across * force)
+        if (std::abs(along) <= next_to_none * force)
             sum += force;
         else if (along * support > 0)
             return std::nullopt;

@@ -35,6 +35,17 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
     return motion;
 }
 
+FittedMotion fitted_motion_of(const SolvedAssembly& solved, std::size_t grid) {
+    using solver::RigidMotion;
+    const PartOnGrid& g = solved.grids[grid];
+    const Eigen::VectorXd& u = solved.solution.displacement[grid];
+    const Eigen::MatrixXd units = solver::coefficients_of(
+        g.input.space, {RigidMotion{{1, 0}, 0, g.center}, RigidMotion{{0, 1}, 0, g.center}, RigidMotion{{0, 0}, 1, g.center}});
+    const Eigen::Vector3d share = solver::PivotedCholesky(units.transpose() * units).solve(units.transpose() * u);
+    return {{g.frame.vector_to_global(share.head<2>()), share[2], g.frame.to_global(g.center)},
+            (u - units * share).lpNorm<Eigen::Infinity>()};
+}
+
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
                                                     const SolvedAssembly& solved) {
     if (!why_not_followed(scene, conditions).empty()) return std::nullopt;

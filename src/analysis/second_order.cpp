@@ -65,12 +65,6 @@ VectorXd load_of(const PartOnGrid& grid, const Wrench& wrench) {
     return motions * (motions.transpose() * motions).ldlt().solve(works);
 }
 
-/// The shares of the unit motions in the rigid one that comes nearest to a part's displacement.
-Eigen::Vector3d nearest_motion(const SolvedAssembly& solved, std::size_t i) {
-    const MatrixXd motions = unit_motions(solved.grids[i]);
-    return (motions.transpose() * motions).ldlt().solve(motions.transpose() * solved.solution.displacement[i]);
-}
-
 /// Do held edges keep the part where it is? How it gives way there is strain.
 bool is_held_by_edges(const SolvedAssembly& solved, std::size_t i) {
     return !solved.problem.parts[i].supports.empty();
@@ -80,8 +74,7 @@ bool is_held_by_edges(const SolvedAssembly& solved, std::size_t i) {
 solver::RigidMotion motion_of(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
     if (is_held_by_edges(solved, i) || grid.input.axis) return rigid_motion_of(solved, i);
-    const Eigen::Vector3d shares = nearest_motion(solved, i);
-    return {grid.frame.vector_to_global(shares.head<2>()), shares[2], grid.frame.to_global(grid.center)};
+    return fitted_motion_of(solved, i).motion;
 }
 
 /// What the contacts' forces do more on each part as they move away from its points and turn.
@@ -136,8 +129,7 @@ double largest_force(const SolvedAssembly& solved) {
 /// Does a part bend, or is it strained, by a share of its mean width that counts?
 bool bends_far(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
-    const VectorXd rigid = unit_motions(grid) * nearest_motion(solved, i), bending = solved.solution.displacement[i] - rigid;
-    return bending.lpNorm<Eigen::Infinity>() > noted_bending * grid.area / grid.size;
+    return fitted_motion_of(solved, i).rest > noted_bending * grid.area / grid.size;
 }
 
 /// Length over width of a part, squared: of a bar as long and as large, or with such second moments of area, if that is more.
@@ -267,16 +259,19 @@ void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAsse
     tell(std::move(findings), "displacement", result);
 }
 
-void tell_forces(const Outcome& out, const SolvedAssembly& moved, double noted, Result& result) {
+/// By stretches under pressure: two faces of a corner that press one place are one, whichever of them bears how much.
+void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, double noted, Result& result) {
+    const std::vector<solver::RigidMotion> none(out.solved.grids.size());
+    const std::vector<MovedForce> before = moved_forces(scene, out.solved, none), after = moved_forces(scene, moved, none);
     const double largest = largest_force(out.solved);
     std::vector<Finding> findings;
-    for (std::size_t k = 0; k < out.solved.contacts.size(); ++k) {
-        if (out.solved.interface_of[k] < 0) continue;
-        const double share = (contact_force(moved, k).force - contact_force(out.solved, k).force).norm() / largest;
+    for (std::size_t k = 0; k < std::min(before.size(), after.size()); ++k) {
+        const double share = (after[k].force - before[k].force).norm() / largest;
         if (share <= noted) continue;
-        const std::string text = "the force of contact " + contact_number(k) + " changes by about " + percent_text(share) +
+        const std::string number = contact_number(before[k].contact);
+        const std::string text = "the force of contact " + number + " changes by about " + percent_text(share) +
                                  " of the largest one once forces are balanced where parts have moved and bent to";
-        findings.push_back({share, "contact " + contact_number(k), text + ", which the answer leaves out", text});
+        findings.push_back({share, "contact " + number, text + ", which the answer leaves out", text});
     }
     tell(std::move(findings), "turned_force", result);
 }
@@ -301,7 +296,7 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
     const double noted = noted_change * out.target + strains_share * strain_of(solved);
     tell_displacements(scene, out, moved, noted, result);
     const auto is_told = [](const Reason& r) { return r.kind == "turned_force"; };
-    if (std::none_of(result.reasons.begin(), result.reasons.end(), is_told)) tell_forces(out, moved, noted, result);
+    if (std::none_of(result.reasons.begin(), result.reasons.end(), is_told)) tell_forces(scene, out, moved, noted, result);
 }
 
 }  // namespace abut

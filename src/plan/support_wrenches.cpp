@@ -87,7 +87,8 @@ std::optional<Vec2> piece_not_held(const Scene& scene, const ResolvedConditions&
         if (scene.analysis == Analysis::axisymmetric)
             wrenches[at(k)].insert(wrenches[at(k)].end(), {Screw(1, 0, 0), Screw(0, 0, 1)});
         if (twist_space(wrenches[at(k)], screw_scale(scene)).empty()) continue;
-        return point(shape.edges[at(std::find(piece_of.begin(), piece_of.end(), k) - piece_of.begin())].curve, 0);
+        return point(
+            shape.edges[static_cast<std::size_t>(std::find(piece_of.begin(), piece_of.end(), k) - piece_of.begin())].curve, 0);
     }
     return std::nullopt;
 }

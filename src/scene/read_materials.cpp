@@ -122,6 +122,13 @@ std::optional<double> read_with_range(SceneReading& reading, const JsonValue& it
     return number;
 }
 
+/// A unit in those of the scene; nothing where the scene names none.
+std::optional<double> known_factor(const char* unit, const Dimension& dimension, const SceneUnits& units) {
+    try {
+        return unit_factor(unit, dimension, units);
+    } catch (const InputError&) { return std::nullopt; }
+}
+
 }  // namespace
 
 void read_parameters(SceneReading& reading, const JsonValue& parameters) {
@@ -194,10 +201,7 @@ void drop_unused_rigid(Scene& scene) {
 }
 
 bool knows_stress(const SceneUnits& units) {
-    try {
-        unit_factor("Pa", dimension::stress, units);
-        return true;
-    } catch (const InputError&) { return false; }
+    return known_factor("Pa", dimension::stress, units).has_value();
 }
 
 Material material_from_library(const std::string& name, const SceneUnits& units) {
@@ -215,12 +219,32 @@ Material material_from_library(const std::string& name, const SceneUnits& units)
 
 std::string implausible_stiffness(const Material& material, const SceneUnits& units) {
     constexpr double softest = 1e5, stiffest = 1.2e12;  // Pa: soft rubber, diamond
-    if (material.rigid || !knows_stress(units)) return "";
-    const double pascals = material.E / unit_factor("Pa", dimension::stress, units);
+    const std::optional<double> pascal = known_factor("Pa", dimension::stress, units);
+    if (material.rigid || !pascal) return "";
+    const double pascals = material.E / *pascal;
     if (pascals >= softest && pascals <= stiffest) return "";
     return "material " + material.name + ": E = " + number_text(material.E, 6) + " is " + number_text(1e-9 * pascals, 4) +
            " GPa in the scene's units (" + units.length + ", " + units.force +
            "), and materials have 0.0001 to 1200 GPa: check E, or write it with its unit (\"210 GPa\")";
+}
+
+std::string implausible_density(const Material& material, const SceneUnits& units) {
+    constexpr double lightest = 1, heaviest = 23000;  // kg/m^3: aerogel, osmium
+    const std::optional<double> unit = known_factor("kg/m^3", dimension::density, units);
+    if (material.density == 0 || !unit) return "";
+    const double density = material.density / *unit;
+    if (density >= lightest && density <= heaviest) return "";
+    return "material " + material.name + ": a density of " + number_text(material.density, 6) + " is " +
+           number_text(density, 3) + " kg/m^3 in the scene's units (" + units.length + ", " + units.force +
+           "), and materials have 1 to 23000 kg/m^3: check it, or write it with its unit (\"7850 kg/m^3\")";
+}
+
+std::string implausible_gravity(double gravity, const SceneUnits& units) {
+    constexpr double weakest = 0.1;  // m/s^2: less than on Ceres
+    const std::optional<double> unit = known_factor("m/s^2", dimension::acceleration, units);
+    if (gravity == 0 || !unit || gravity >= weakest * *unit) return "";
+    return "a gravity of " + number_text(gravity, 4) + " is " + number_text(gravity / *unit, 3) +
+           " m/s^2 in the scene's units (" + units.length + "): check it, or write it with its unit (\"9.81 m/s^2\")";
 }
 
 }  // namespace abut

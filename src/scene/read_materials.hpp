@@ -29,8 +29,10 @@ Material material_from_library(const std::string& name, const SceneUnits& units)
 /// Takes the built-in rigid out of the scene's materials where no part is of it.
 void drop_unused_rigid(Scene& scene);
 
-/// Why a material's E looks as if it were in other units than the scene's; empty where it does not, or where the scene names
-/// no units.
+/// Why a material's E or density, or the size of a gravity, looks as if it were in other units than the scene's; empty where it
+/// does not, or where the scene names no units.
 std::string implausible_stiffness(const Material& material, const SceneUnits& units);
+std::string implausible_density(const Material& material, const SceneUnits& units);
+std::string implausible_gravity(double gravity, const SceneUnits& units);
 
 }  // namespace abut

@@ -4,6 +4,7 @@
 #include "src/scene/read_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -144,13 +145,20 @@ void check_thickness(SceneReading& reading, Scene& scene) {
     for (ScenePart& part : scene.parts) part.thickness = full_circle;
 }
 
-/// A slip in the units of E is no error: the scene may mean it.
-void check_stiffness(const SceneReading& reading, Scene& scene) {
+/// A slip in units is no error: the scene may mean it.
+void check_units(const SceneReading& reading, Scene& scene) {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const auto is_of_it = [&](const ScenePart& part) { return part.material == static_cast<int>(m); };
         if (std::none_of(scene.parts.begin(), scene.parts.end(), is_of_it)) continue;
-        if (const std::string doubt = implausible_stiffness(scene.materials[m], reading.units); !doubt.empty())
-            scene.warnings.push_back(doubt);
+        for (const auto& implausible : {implausible_stiffness, implausible_density})
+            if (const std::string doubt = implausible(scene.materials[m], reading.units); !doubt.empty())
+                scene.warnings.push_back(doubt);
+    }
+    for (const Load& load : scene.loads) {
+        if (load.kind != Load::Kind::gravity || !load.value[0].is_constant() || !load.value[1].is_constant()) continue;
+        const double gravity = std::hypot(load.value[0].constant(), load.value[1].constant());
+        if (const std::string doubt = implausible_gravity(gravity, reading.units); !doubt.empty())
+            scene.warnings.push_back(load.where + ": " + doubt);
     }
 }
 
@@ -242,9 +250,9 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     scene.materials.push_back(built_in_rigid());
     read_all_parts(reading, scene);
     drop_unused_rigid(scene);
-    check_stiffness(reading, scene);
     check_thickness(reading, scene);
     read_sections(reading, scene);
+    check_units(reading, scene);
     // Edges can be looked up only where every part has its geometry.
     if (scene.parts.size() == reading.part_names.size() && reading.all_parts_named) check_selections(reading, scene);
     check_materials_of_loads(reading, scene);

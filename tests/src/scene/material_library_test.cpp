@@ -33,6 +33,25 @@ std::string fault(const std::string& units, const std::string& materials, const 
 
 }  // namespace
 
+TEST(MaterialLibrary, DensitiesAndGravitiesInOtherUnitsAreTold) {
+    const auto scene = [](const std::string& density, const std::string& gravity) {
+        return read_scene_text(
+                   R"({"abut": 1, "units": {"length": "mm", "force": "N"}, "materials": {"m": {"E": 210000, "nu": 0.3, "density": )" +
+                       density +
+                       R"(}}, "parts": [{"name": "p", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}}],
+                                "supports": [{"on": "p/bottom", "fix": ["x", "y"]}], "loads": [{"gravity": [0, )" +
+                       gravity + "]}]}",
+                   "scene.json")
+            .warnings;
+    };
+    EXPECT_TRUE(scene("7.85e-9", "-9810").empty());
+    EXPECT_TRUE(scene("\"7850 kg/m^3\"", "\"-9.81 m/s^2\"").empty());
+    ASSERT_EQ(scene("7850", "-9810").size(), 1U);
+    EXPECT_NE(scene("7850", "-9810")[0].find("density"), std::string::npos);
+    ASSERT_EQ(scene("7.85e-9", "-9.81").size(), 1U);
+    EXPECT_NE(scene("7.85e-9", "-9.81")[0].find("gravity"), std::string::npos);
+}
+
 TEST(MaterialLibrary, has_what_it_says) {
     std::set<std::string> names;
     for (const std::string& name : library_material_names()) {
@@ -43,6 +62,7 @@ TEST(MaterialLibrary, has_what_it_says) {
         EXPECT_TRUE(m.expansion && *m.expansion > 5e-6 && *m.expansion < 2e-4);
         EXPECT_TRUE(!m.yield || (*m.yield > 5e7 && *m.yield < 1e9));
         EXPECT_EQ(implausible_stiffness(m, {"m", "N"}), "");
+        EXPECT_EQ(implausible_density(m, {"m", "N"}), "");
         const JsonValue& entry = *library_material(name);
         for (const char* key : {"E", "nu", "density", "expansion", "yield"}) {
             const JsonValue* source = find_member(*find_member(entry, "sources"), key);

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/second_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::second_order_test {
+namespace {
+
+const std::string steel = R"({"abut": 1, "thickness": 10, "materials": {"steel": {"E": 210000, "nu": 0.3}}, )";
+
+Result analyzed(const std::string& members) {
+    return analyze(read_scene_text(steel + members + "}", "scene.json"), {});
+}
+
+/// What is said of the second order; empty: nothing.
+std::string told(const Result& r) {
+    EXPECT_EQ(r.status, "ok") << r.message;
+    for (const std::string& w : r.warnings)
+        if (w.find("balanced where") != std::string::npos || w.find("tip over or buckle") != std::string::npos) return w;
+    return "";
+}
+
+/// The number before "%" in it.
+double percents(const std::string& text) {
+    const std::size_t percent = text.find(" %");
+    EXPECT_NE(percent, std::string::npos) << text;
+    return percent == std::string::npos ? -1 : std::stod(text.substr(text.rfind(' ', percent - 1) + 1));
+}
+
+bool is_held_against_it(const Result& r) {
+    return std::any_of(r.reasons.begin(), r.reasons.end(),
+                       [](const Reason& reason) { return reason.text.find("balanced") != std::string::npos; });
+}
+
+/// A post of 500 x 10 that stands on its end, pressed by a share of its buckling load, with a side load at its top.
+Result post(double share) {
+    const double buckling = M_PI * M_PI * 210000 * 10 * 1000 / 12 / (4 * 500.0 * 500.0);
+    return analyzed(
+        R"("parts": [{"name": "post", "material": "steel", "geometry": {"rectangle": {"min": [-5, 0], "max": [5, 500]}}}],
+        "supports": [{"on": "post/bottom", "fix": ["x", "y"]}], "accuracy": {"target": 0.02},
+        "loads": [{"on": "post/top", "force": [20, )" +
+        std::to_string(-share * buckling) + "]}]");
+}
+
+TEST(SecondOrder, ColumnsBelowTheirBucklingLoad) {
+    for (const double share : {0.2, 0.5, 0.8}) {
+        // [Timoshenko61, section 1.11]: a cantilever with an axial and a side load
+        const double u = M_PI / 2 * std::sqrt(share), growth = 3 * (std::tan(u) - u) / (u * u * u) - 1;
+        const Result r = post(share);
+        EXPECT_NEAR(percents(told(r)), 100 * growth, 15 * growth + 1) << share;
+        EXPECT_TRUE(is_held_against_it(r));
+    }
+    EXPECT_NE(told(post(1.3)).find("may tip over or buckle"), std::string::npos);
+    EXPECT_EQ(told(post(0.002)), "");
+}
+
+TEST(SecondOrder, StringsThatArePulled) {
+    const Result r = post(-5);  // 1 / (1 + 5) of the side load's bending is left, about
+    EXPECT_NEAR(percents(told(r)), 83, 5);
+}
+
+TEST(SecondOrder, BeamsWhoseEndsCannotComeCloser) {
+    const auto bent = [](double pressure) {
+        return analyzed(
+            R"("parts": [{"name": "beam", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [1000, 10]}}}],
+            "supports": [{"on": ["beam/left", "beam/right"], "fix": ["x", "y"]}], "accuracy": {"target": 0.02},
+            "loads": [{"on": "beam/top", "pressure": )" +
+            std::to_string(pressure) + "}]");
+    };
+    // w = w_lin / (1 + 0.75 (w / h)^2), by the first approximation that the ends' pull gives; w_lin = p L^4 / 384 E I' here
+    const double h = 10, w_lin = 10, p = w_lin * 384 * 210000 * h * h * h / 12 / 1e12;
+    double w = w_lin;
+    for (int k = 0; k < 50; ++k) w = 0.5 * (w + w_lin / (1 + 0.75 * w * w / (h * h)));
+    EXPECT_NEAR(percents(told(bent(p))), 100 * (1 - w / w_lin), 15);
+    EXPECT_EQ(told(bent(0.01 * p)), "");
+}
+
+TEST(SecondOrder, APropThatASpringHolds) {
+    const auto prop = [](double spring) {
+        return analyzed(R"("parts": [
+            {"name": "foot", "material": "steel", "geometry": {"circle": {"center": [0, -0.02], "radius": 8}}, "level": 1},
+            {"name": "prop", "material": "steel", "level": 1, "geometry": {"difference": [{"slot": {"from": [0, 0], "to": [0, 300], "radius": 16}},
+               {"circle": {"center": [0, 0], "radius": 8.02}}, {"circle": {"center": [0, 300], "radius": 8.02}}]}},
+            {"name": "pin", "material": "steel", "geometry": {"circle": {"center": [0, 300.02], "radius": 8}}, "level": [1, 2]},
+            {"name": "slide", "material": "steel", "level": 2, "geometry": {"difference": [{"name": "q", "rectangle": {"min": [-30, 270], "max": [30, 330]}},
+               {"circle": {"center": [0, 300.04], "radius": 8.02}}]}}],
+            "supports": [{"part": "foot", "rigid": {"translation": [0, 0], "rotation": 0}}, {"part": "pin", "rigid": {"rotation": 0}},
+                         {"part": "slide", "rigid": {"rotation": 0}}, {"on": "slide/q/right", "spring": {"normal": )" +
+                        std::to_string(spring / 600) +
+                        R"(}}], "loads": [{"part": "slide", "force": [2, -5000]}], "accuracy": {"level": "draft"})");
+    };
+    // the prop's own stiffness is -F / L = -16.7 N/mm
+    EXPECT_NE(told(prop(10)).find("may tip over or buckle"), std::string::npos) << told(prop(10));
+    EXPECT_GT(percents(told(prop(25))), 50);
+    EXPECT_EQ(told(prop(2500)), "");
+}
+
+TEST(SecondOrder, ARollerRollsWithoutResistance) {
+    const auto bridge = [](double spring) {
+        return analyzed(
+            R"("parts": [{"name": "floor", "material": "steel", "geometry": {"rectangle": {"min": [-220, -30], "max": [220, 0]}}},
+            {"name": "beam", "material": "steel", "geometry": {"rectangle": {"min": [-220, 100], "max": [220, 130]}}},
+            {"name": "roller", "material": "steel", "geometry": {"circle": {"center": [0, 50], "radius": 50}}}],
+            "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}, {"part": "beam", "rigid": {"rotation": 0}},
+                         {"on": "beam/right", "spring": {"normal": )" +
+            std::to_string(spring / 300) + R"(}}],
+            "loads": [{"part": "beam", "force": [0, -5000]}, {"on": "beam/right", "force": [10, 0]}],
+            "contacts": {"friction": "rough"}, "accuracy": {"level": "draft"})");
+    };
+    // the contacts' places move along: F / 2 R = 50 N/mm too much beside the spring
+    EXPECT_NEAR(percents(told(bridge(50))), 100, 20);
+    EXPECT_EQ(told(bridge(50000)), "");
+}
+
+TEST(SecondOrder, ADiscThatIsTurnedStaysAsLargeAsItIs) {
+    const Result r = analyzed(
+        R"("parts": [{"name": "plate", "material": "steel", "geometry": {"rectangle": {"min": [-80, -30], "max": [80, 0]}}},
+        {"name": "disc", "material": "steel", "geometry": {"circle": {"center": [0, 60], "radius": 60}}}],
+        "supports": [{"on": "plate/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, -0.02], "rotation": 0.3}}])");
+    EXPECT_NE(told(r).find("the force of contact 1"), std::string::npos) << told(r);
+}
+
+TEST(SecondOrder, HalfModelsAndStiffPartsCallForNothing) {
+    for (const char* name : {"case_b", "pin_bracket", "clevis", "vise"}) {
+        const Result r = analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/data/scenes/" + name + ".json"), {});
+        EXPECT_EQ(told(r), "") << name;
+    }
+}
+
+}  // namespace
+}  // namespace abut::second_order_test
