@@ -37,7 +37,7 @@ TEST_F(CommandLine, HelpOfACommandListsItsOptionsWhateverElseIsGiven) {
     expect_words(abut({"contacts", "-h"}).output,
                  {"FILE", "-o DIR", "--distance", "--expect", "--units", "--tolerance", "--parts-by"});
     expect_words(abut({"inspect", "-h"}).output, {"FILE", "-o DIR", "--json", "--units", "--tolerance", "--parts-by"});
-    expect_words(abut({"study", "-h"}).output, {"SCENE", "-o DIR", "--budget SECONDS", "--threads N", "--json", "--quiet"});
+    expect_words(abut({"study", "-h"}).output, {"SCENE", "-o DIR", "--budget TIME", "--threads N", "--json", "--quiet"});
 }
 
 TEST_F(CommandLine, RefusesMissingAndUnknownCommands) {

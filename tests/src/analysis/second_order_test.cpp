@@ -60,6 +60,24 @@ TEST(SecondOrder, ColumnsBelowTheirBucklingLoad) {
     EXPECT_EQ(told(post(0.002)), "");
 }
 
+TEST(SecondOrder, StrutsThatAreStraight) {
+    const double length = 300, buckling = M_PI * M_PI * 210000 * 10 * 125 / 12 / (length * length);
+    const auto strut = [&](double share) {
+        return analyzed(R"("parts": [
+            {"name": "foot", "material": "steel", "geometry": {"circle": {"center": [0, -0.02], "radius": 5}}},
+            {"name": "strut", "material": "steel", "geometry": {"difference": [{"union": [{"rectangle": {"min": [-2.5, 0], "max": [2.5, 300]}},
+               {"circle": {"center": [0, 0], "radius": 10}}, {"circle": {"center": [0, 300], "radius": 10}}]},
+               {"circle": {"center": [0, 0], "radius": 5.02}}, {"circle": {"center": [0, 300], "radius": 5.02}}]}},
+            {"name": "pin", "material": "steel", "geometry": {"circle": {"center": [0, 300.02], "radius": 5}}}],
+            "supports": [{"part": "foot", "rigid": {"translation": [0, 0], "rotation": 0}}, {"part": "pin", "rigid": {"translation": [0, null], "rotation": 0}}],
+            "accuracy": {"level": "draft"}, "loads": [{"part": "pin", "force": [0, )" +
+                        std::to_string(-share * buckling) + "]}]");
+    };
+    EXPECT_NE(told(strut(1.5)).find("part strut may tip over or buckle"), std::string::npos) << told(strut(1.5));
+    EXPECT_EQ(told(strut(0.7)), "");
+    EXPECT_EQ(told(strut(-3)), "");
+}
+
 TEST(SecondOrder, StringsThatArePulled) {
     const Result r = post(-5);  // 1 / (1 + 5) of the side load's bending is left, about
     EXPECT_NEAR(percents(told(r)), 83, 5);
