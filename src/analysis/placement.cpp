@@ -11,6 +11,20 @@
 
 namespace abut {
 
+namespace {
+
+Eigen::Vector3d nearest_shares(const Eigen::MatrixXd& units, const Eigen::VectorXd& displacement) {
+    return solver::PivotedCholesky(units.transpose() * units).solve(units.transpose() * displacement);
+}
+
+}  // namespace
+
+Eigen::MatrixXd unit_motions(const PartOnGrid& grid) {
+    using solver::RigidMotion;
+    return solver::coefficients_of(grid.input.space, {RigidMotion{{1, 0}, 0, grid.center}, RigidMotion{{0, 1}, 0, grid.center},
+                                                      RigidMotion{{0, 0}, 1, grid.center}});
+}
+
 Eigen::VectorXd rigid_amplitudes_of(const SolvedAssembly& solved, std::size_t grid) {
     const solver::PartSystem& system = solved.problem.parts[grid];
     const Eigen::VectorXd& u = solved.solution.displacement[grid];
@@ -35,15 +49,20 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
     return motion;
 }
 
-FittedMotion fitted_motion_of(const SolvedAssembly& solved, std::size_t grid) {
-    using solver::RigidMotion;
-    const PartOnGrid& g = solved.grids[grid];
-    const Eigen::VectorXd& u = solved.solution.displacement[grid];
-    const Eigen::MatrixXd units = solver::coefficients_of(
-        g.input.space, {RigidMotion{{1, 0}, 0, g.center}, RigidMotion{{0, 1}, 0, g.center}, RigidMotion{{0, 0}, 1, g.center}});
-    const Eigen::Vector3d share = solver::PivotedCholesky(units.transpose() * units).solve(units.transpose() * u);
+FittedMotion fitted_motion(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
+    const Eigen::MatrixXd units = unit_motions(g);
+    const Eigen::Vector3d share = nearest_shares(units, displacement);
     return {{g.frame.vector_to_global(share.head<2>()), share[2], g.frame.to_global(g.center)},
-            (u - units * share).lpNorm<Eigen::Infinity>()};
+            (displacement - units * share).lpNorm<Eigen::Infinity>()};
+}
+
+FittedMotion fitted_motion_of(const SolvedAssembly& solved, std::size_t grid) {
+    return fitted_motion(solved.grids[grid], solved.solution.displacement[grid]);
+}
+
+Eigen::VectorXd without_motion(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
+    const Eigen::MatrixXd units = unit_motions(g);
+    return displacement - units * nearest_shares(units, displacement);
 }
 
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,

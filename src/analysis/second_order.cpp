@@ -16,6 +16,7 @@
 #include <numbers>
 #include <optional>
 
+#include "solver/splines/local_spline.hpp"
 #include "solver/terms/finite_motion.hpp"
 #include "src/analysis/moved_forces.hpp"
 #include "src/analysis/placement.hpp"
@@ -35,7 +36,9 @@ using Eigen::VectorXd;
 /// Changes below these, of the target, are not told: strain itself, which linear elasticity leaves out, makes others.
 constexpr double noted_change = 2, strains_share = 5;
 /// A displacement counts beside the largest one.
-constexpr double least_displacement = 0.05;
+constexpr double least_displacement = 0.01;
+/// A translation, rotation or bending counts beside all that a part moves by.
+constexpr double least_share = 0.05;
 /// Wrenches that turn or go along with parts, of the largest force, below which none is looked at further.
 constexpr double noted_wrench = 1e-4;
 /// A column's share of its least buckling load, and a bending in thicknesses, below which none is looked at further.
@@ -80,6 +83,11 @@ bool has_answer(const SolvedAssembly& solved) {
     return solved.solution.mechanism.empty() && solved.solution.converged;
 }
 
+/// What bars bend with: E, or E / (1 - nu^2) in plane strain.
+double bending_modulus(const solver::Elasticity& d) {
+    return d.d11 - d.d12 * d.d12 / d.d11;
+}
+
 /// A slender part's share of the least buckling load, that of a bar as slender, clamped at one end: pi^2 E I / 4 L^2.
 double column_share(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
@@ -88,7 +96,7 @@ double column_share(const SolvedAssembly& solved, std::size_t i) {
     const solver::PartInput& input = solved.problem.parts[i].input;
     const Eigen::Matrix2d stress = stress_integral(input, solved.solution.displacement[i]) / (grid.area * grid.input.thickness);
     constexpr double of_column = 48 / (std::numbers::pi * std::numbers::pi);
-    return of_column * stress.norm() / input.elasticity.d11 * squared;
+    return of_column * stress.norm() / bending_modulus(input.elasticity) * squared;
 }
 
 bool is_neutral(const SolvedAssembly& solved, std::size_t i) {
@@ -117,9 +125,30 @@ double strain_of(const SolvedAssembly& solved) {
         const PartOnGrid& grid = solved.grids[i];
         if (grid.is_rigid) continue;
         const double energy = std::abs(solver::strain_energy(solved.problem.parts[i], solved.solution.displacement[i]));
-        largest = std::max(largest, std::sqrt(2 * energy / (grid.input.elasticity.d11 * grid.area * grid.input.thickness)));
+        largest = std::max(largest,
+                           std::sqrt(2 * energy / (bending_modulus(grid.input.elasticity) * grid.area * grid.input.thickness)));
     }
     return largest;
+}
+
+/// Integrals of products of two displacements (2n) over a part: coefficients weigh more where the grid is fine.
+struct MeanProducts {
+    double uu = 0, uv = 0, vv = 0;
+};
+
+MeanProducts mean_products(const solver::PartInput& input, const VectorXd& u, const VectorXd& v) {
+    MeanProducts sum;
+    for_all_cells(input, [&](const solver::CellRule& rule) {
+        const solver::LocalSpline<2> u_here(input.space, rule.element, [&](int f) { return u.segment<2>(2 * f); }),
+            v_here(input.space, rule.element, [&](int f) { return v.segment<2>(2 * f); });
+        for (std::size_t k = 0; k < rule.points.size(); ++k) {
+            const Vec2 a = u_here.value(rule.points[k]), b = v_here.value(rule.points[k]);
+            sum.uu += rule.weights[k] * a.squaredNorm();
+            sum.uv += rule.weights[k] * a.dot(b);
+            sum.vv += rule.weights[k] * b.squaredNorm();
+        }
+    });
+    return sum;
 }
 
 /// How a part's displacement changes, as a share of it: the sum of all orders, as far as the second one tells. 1 and more of
@@ -128,20 +157,46 @@ struct Change {
     double share = 0, growing = 0;
 };
 
+/// Of a displacement of size u, and what the second order adds to it, of size v, in the same direction or against it.
+Change change_by(double u, double v, double along) {
+    const double growing = along / u;
+    return {growing < 1 ? v / u / (1 - growing) : v / u, growing};
+}
+
+/// The largest of the changes of a part's translation, its rotation, and its bending: what grows may be a small share of all
+/// that it moves by. What edges hold bends as a whole.
 Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std::size_t i) {
     const VectorXd &u = solved.solution.displacement[i], v = moved.solution.displacement[i] - u;
     double largest = 0;
     for (const VectorXd& other : solved.solution.displacement) largest = std::max(largest, other.lpNorm<Eigen::Infinity>());
-    const double own = u.lpNorm<Eigen::Infinity>();
-    if (own <= least_displacement * largest || is_neutral(solved, i)) return {};
-    Change change{v.norm() / u.norm(), v.dot(u) / u.squaredNorm()};
-    if (change.growing < 1) change.share /= 1 - change.growing;
+    const double own = u.lpNorm<Eigen::Infinity>(), least = least_share * own;
+    if (own <= least_displacement * largest) return {};
+    const FittedMotion of_u = fitted_motion_of(solved, i), of_v = fitted_motion(solved.grids[i], v);
+    Change most;
+    const auto take = [&](const Change& change) {
+        if (std::max(change.share, change.growing) > std::max(most.share, most.growing)) most = change;
+    };
+    const bool is_held = !solved.problem.parts[i].supports.empty();
+    if (!is_held && !is_neutral(solved, i)) {
+        const Vec2 way = of_v.motion.translation;
+        if (const double along = way.norm() > 0 ? of_u.motion.translation.dot(way.normalized()) : 0; std::abs(along) > least)
+            take(change_by(std::abs(along), way.norm(), std::copysign(way.norm(), along)));
+        const double turned = of_u.motion.rotation, more = of_v.motion.rotation;
+        if (std::abs(turned) * solved.grids[i].size > 2 * least)
+            take(change_by(std::abs(turned), std::abs(more), std::copysign(more, more * turned)));
+    }
+    if (!solved.grids[i].is_rigid && (is_held || of_u.rest > least)) {
+        const PartOnGrid& grid = solved.grids[i];
+        const MeanProducts p = is_held ? mean_products(grid.input, u, v)
+                                       : mean_products(grid.input, without_motion(grid, u), without_motion(grid, v));
+        if (p.uu > 0) take(change_by(1, std::sqrt(p.vv / p.uu), p.uv / p.uu));
+    }
+    if (!bends_far(solved, i)) return most;
     const solver::PartSystem& part = solved.problem.parts[i];
-    if (!bends_far(solved, i)) return change;
     const double energy = solver::strain_energy(part, u),
                  stretching = energy > 0 ? std::max(0.0, stretching_work(part.input, u, v) / (2 * energy)) : 0;
-    change.share = std::max(change.share, stretching / (1 + stretching));
-    return change;
+    most.share = std::max(most.share, stretching / (1 + stretching));
+    return most;
 }
 
 /// How a part's bending grows, which a small push brings about across where it is long, from one order to the next: its share
@@ -172,7 +227,7 @@ void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAsse
         if (change.growing < 1 && column_share(out.solved, i) > doubtful_column)
             if (const auto growth = growth_of_bending(scene, out.solved, i, threads); growth && *growth >= 1)
                 change = {*growth, *growth};
-        if (change.share <= noted) continue;
+        if (change.share <= noted && change.growing < 1) continue;
         const std::string& name = scene.parts[at(out.solved.grids[i].part)].name;
         const std::string text =
             change.growing >= 1

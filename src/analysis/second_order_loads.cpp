@@ -18,13 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using geometry::cross, geometry::left_of;
 
-/// The coefficients (2n x 3) of the rigid motions along x and y and about a part's centre.
-MatrixXd unit_motions(const PartOnGrid& grid) {
-    using solver::RigidMotion;
-    return solver::coefficients_of(grid.input.space, {RigidMotion{{1, 0}, 0, grid.center}, RigidMotion{{0, 1}, 0, grid.center},
-                                                      RigidMotion{{0, 0}, 1, grid.center}});
-}
-
 /// Do held edges keep the part where it is? How it gives way there is strain.
 bool is_held_by_edges(const SolvedAssembly& solved, std::size_t i) {
     return !solved.problem.parts[i].supports.empty();

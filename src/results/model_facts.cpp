@@ -22,7 +22,7 @@ std::string with_digits(double value, int digits) {
 /// As many digits as a picture has room for, and all before the point: components of a direction are seldom round.
 std::string shown(double value) {
     constexpr int least = 5, most = 15;
-    const int before_point = value == 0 ? 1 : 1 + static_cast<int>(std::floor(std::log10(std::abs(value))));
+    const int before_point = value == 0 ? 1 : 1 + static_cast<int>(std::floor(std::log10(std::abs(value) * (1 + 0.5e-5))));
     return with_digits(value, std::clamp(before_point, least, most));
 }
 

@@ -155,7 +155,9 @@ void check_units(const SceneReading& reading, Scene& scene) {
                 scene.warnings.push_back(doubt);
     }
     for (const Load& load : scene.loads) {
-        if (load.kind != Load::Kind::gravity || !load.value[0].is_constant() || !load.value[1].is_constant()) continue;
+        const bool has_factor = !load.name.empty() && !scene.cases.empty();
+        if (load.kind != Load::Kind::gravity || has_factor || !load.value[0].is_constant() || !load.value[1].is_constant())
+            continue;
         const double gravity = std::hypot(load.value[0].constant(), load.value[1].constant());
         if (const std::string doubt = implausible_gravity(gravity, reading.units); !doubt.empty())
             scene.warnings.push_back(load.where + ": " + doubt);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -115,7 +116,7 @@ TEST(SecondOrder, APropThatASpringHolds) {
     };
     // the prop's own stiffness is -F / L = -16.7 N/mm
     EXPECT_NE(told(prop(10)).find("may tip over or buckle"), std::string::npos) << told(prop(10));
-    EXPECT_GT(percents(told(prop(25))), 50);
+    EXPECT_NEAR(percents(told(prop(25))), 200, 20);
     EXPECT_EQ(told(prop(2500)), "");
 }
 
@@ -141,7 +142,9 @@ TEST(SecondOrder, ADiscThatIsTurnedStaysAsLargeAsItIs) {
         R"("parts": [{"name": "plate", "material": "steel", "geometry": {"rectangle": {"min": [-80, -30], "max": [80, 0]}}},
         {"name": "disc", "material": "steel", "geometry": {"circle": {"center": [0, 60], "radius": 60}}}],
         "supports": [{"on": "plate/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, -0.02], "rotation": 0.3}}])");
-    EXPECT_NE(told(r).find("the force of contact 1"), std::string::npos) << told(r);
+    EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+        return w.find("the force of contact 1 changes by about") != std::string::npos;
+    })) << told(r);
 }
 
 TEST(SecondOrder, HalfModelsAndStiffPartsCallForNothing) {

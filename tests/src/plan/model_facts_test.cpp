@@ -48,6 +48,7 @@ TEST(ModelFactsOf, WriteLoadsInAsManyDigitsAsAPictureHasRoomFor) {
     EXPECT_EQ(words({1234567}), "force 1234567");
     EXPECT_EQ(words({-150000.25, 0.0012345678}), "force (-150000, 0.0012346)");
     EXPECT_EQ(words({0, 0}), "force (0, 0)");
+    EXPECT_EQ(words({99999.96}), "force 100000");
 }
 
 TEST(ModelFactsOf, TellThicknessesThatNobodyGave) {
