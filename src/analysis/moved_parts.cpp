@@ -13,7 +13,6 @@
 #include "src/contact/search_distances.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
-#include "src/scene/part_levels.hpp"
 
 namespace abut {
 
