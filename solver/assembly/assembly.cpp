@@ -158,6 +158,11 @@ BlockMatrix assemble_stiffness(const PartInput& input) {
     return k;
 }
 
+void add_to_component(VectorXd& load, int component, const Extraction& e, const VectorXd& local) {
+    const VectorXd v = e.identity ? local : VectorXd(e.matrix.transpose() * local);
+    for (std::size_t i = 0; i < e.functions.size(); ++i) load[2 * e.functions[i] + component] += v[static_cast<Index>(i)];
+}
+
 FunctionIntegrals integrate_functions(const PartInput& input) {
     const SplineSpace& s = input.space;
     FunctionIntegrals f{VectorXd::Zero(s.n_functions), VectorXd::Zero(s.n_functions), VectorXd::Zero(s.n_functions)};

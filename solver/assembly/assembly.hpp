@@ -67,6 +67,9 @@ void for_all_cells(const PartInput& input, const std::function<void(const CellRu
 /// by products of 1D matrices, once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
 BlockMatrix assemble_stiffness(const PartInput& input);
 
+/// Adds integrals with an element's B-splines to a component of a load vector (2n).
+void add_to_component(Eigen::VectorXd& load, int component, const Extraction& e, const Eigen::VectorXd& local);
+
 /// The integrals of every function and of its derivatives over the part (not times the thickness), (n) each.
 struct FunctionIntegrals {
     Eigen::VectorXd value, dx, dy;

@@ -364,6 +364,13 @@ Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
     return sum;
 }
 
+double virial_of(const SplineSpace& space, const Eigen::VectorXd& load, const Vec2& center) {
+    Eigen::VectorXd aside = load;  // turned left: its moment is the sum
+    for (Index f = 0; f + 1 < aside.size(); f += 2) aside.segment<2>(f) = Vec2(-load[f + 1], load[f]);
+    const Resultant turned = resultant_of(space, aside);
+    return turned.moment - (center.x() * turned.force.y() - center.y() * turned.force.x());
+}
+
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& total) {
     if (system.body) return 0;
     const Eigen::VectorXd elastic = elastic_displacement(system.input, total);

@@ -134,6 +134,9 @@ Resultant traction_resultant(const PartInput& input, const SupportSet& set, cons
 /// The resultant of a load vector (2n) on the plain functions.
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);
 
+/// The sum of place about a centre times force of a load (2n): its moment changes by that times a small turn, taken off.
+double virial_of(const SplineSpace& space, const Eigen::VectorXd& load, const Vec2& center);
+
 /// The strain energy of the part alone, without its springs; with a free strain that of the elastic strains (elastic_energy).
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement);
 

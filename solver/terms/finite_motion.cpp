@@ -59,11 +59,6 @@ void for_all_points(const PartInput& input, const VectorXd& displacement, const 
     });
 }
 
-void subtract(VectorXd& load, int component, const Extraction& e, const VectorXd& local) {
-    const VectorXd v = e.identity ? local : VectorXd(e.matrix.transpose() * local);
-    for (std::size_t i = 0; i < e.functions.size(); ++i) load[2 * e.functions[i] + component] -= v[static_cast<Index>(i)];
-}
-
 }  // namespace
 
 VectorXd finite_motion_load(const PartInput& input, const VectorXd& displacement) {
@@ -87,9 +82,9 @@ VectorXd finite_motion_load(const PartInput& input, const VectorXd& displacement
             of_hoop[k] = p.weight * zz / radius(input, p.x);
         }
         const Extraction e = extraction(input.space, rule.element);
-        subtract(load, 0, e, at.dx.transpose() * second.col(0) + at.dy.transpose() * second.col(1));
-        subtract(load, 1, e, at.dx.transpose() * second.col(2) + at.dy.transpose() * second.col(3));
-        if (input.axis) subtract(load, 0, e, at.value.transpose() * of_hoop);
+        add_to_component(load, 0, e, -at.dx.transpose() * second.col(0) - at.dy.transpose() * second.col(1));
+        add_to_component(load, 1, e, -at.dx.transpose() * second.col(2) - at.dy.transpose() * second.col(3));
+        if (input.axis) add_to_component(load, 0, e, -at.value.transpose() * of_hoop);
     });
     return load;
 }

@@ -24,11 +24,6 @@ VectorXd restrained(const PartInput& input, const CellRule& rule) {
     return w;
 }
 
-void add_at(VectorXd& load, int component, const Extraction& e, const VectorXd& local) {
-    const VectorXd v = e.identity ? local : VectorXd(e.matrix.transpose() * local);
-    for (std::size_t i = 0; i < e.functions.size(); ++i) load[2 * e.functions[i] + component] += v[static_cast<Index>(i)];
-}
-
 /// Twice the energy per volume.
 double twice_density(const PartInput& input, const Vec2& x, const DisplacementAt& u) {
     const Elasticity d = local_elasticity(input);
@@ -48,12 +43,12 @@ VectorXd free_strain_load(const PartInput& input) {
         sample(input.space, rule.element, rule.points, at);
         const Extraction e = extraction(input.space, rule.element);
         const VectorXd w = restrained(input, rule);
-        add_at(load, 0, e, at.dx.transpose() * w);
-        add_at(load, 1, e, at.dy.transpose() * w);
+        add_to_component(load, 0, e, at.dx.transpose() * w);
+        add_to_component(load, 1, e, at.dy.transpose() * w);
         if (!input.axis) return;
         VectorXd over_r = w;
         for (std::size_t k = 0; k < rule.points.size(); ++k) over_r[static_cast<Index>(k)] /= radius(input, rule.points[k]);
-        add_at(load, 0, e, at.value.transpose() * over_r);
+        add_to_component(load, 0, e, at.value.transpose() * over_r);
     });
     return load;
 }

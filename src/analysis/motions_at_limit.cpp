@@ -91,6 +91,12 @@ bool slips_somewhere(const SolvedAssembly& solved, std::size_t part) {
 
 }  // namespace
 
+bool any_at_limit(const Scene& scene, const SolvedAssembly& solved) {
+    for (std::size_t part = 0; part < solved.grids.size(); ++part)
+        if (slips_somewhere(solved, part) && !motions_at_limit(scene, solved, part).empty()) return true;
+    return false;
+}
+
 void warn_of_motions_at_limit(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     std::vector<Finding> findings;
     for (std::size_t part = 0; part < solved.grids.size(); ++part) {

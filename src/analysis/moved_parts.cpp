@@ -40,12 +40,11 @@ MovedScene moved_scene(const Scene& drawn, const SolvedAssembly& solved) {
         const FittedMotion fitted = fitted_motion_of(solved, i);
         const solver::RigidMotion& m = fitted.motion;
         const double turned = 0.5 * size * std::abs(m.rotation);
-        moved.unknown[part] = fitted.rest + turned * std::abs(m.rotation);
+        moved.unknown[part] = fitted.bending() + turned * std::abs(m.rotation);
         moved.any = moved.any || m.translation.norm() + turned > least_motion * size;
         moved.way[part] = m.translation;
-        const double c = std::cos(m.rotation), s = std::sin(m.rotation);
-        const Vec2 turned_center(c * m.center.x() - s * m.center.y(), s * m.center.x() + c * m.center.y());
-        turn_and_shift(moved.scene.parts[part], c, s, m.center + m.translation - turned_center);
+        const Placement p = about_center(m.center, m.translation, m.rotation);
+        turn_and_shift(moved.scene.parts[part], std::cos(p.angle), std::sin(p.angle), p.shift);
     }
     return moved;
 }
@@ -56,20 +55,15 @@ double largest_interference(const Scene& scene) {
     return largest;
 }
 
-/// The pairs of parts that press, and those that are bonded.
-struct Pressing {
-    std::set<Pair> pressing, bonded;
-};
-
-Pressing pressing_of(const SolvedAssembly& solved) {
-    Pressing found;
+/// The pairs of two parts with stretches that press, or are bonded.
+std::set<Pair> pairs_where(const SolvedAssembly& solved, bool is_bonded) {
+    std::set<Pair> pairs;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& c = solved.contacts[k];
-        if (solved.stretches[k].empty()) continue;
-        const Pair pair = std::minmax(c.part[0], c.part[1]);
-        (c.face.bilateral ? found.bonded : found.pressing).insert(pair);
+        if (!solved.stretches[k].empty() && c.face.bilateral == is_bonded && c.part[0] != c.part[1])
+            pairs.insert(std::minmax(c.part[0], c.part[1]));
     }
-    return found;
+    return pairs;
 }
 
 }  // namespace
@@ -78,14 +72,13 @@ void warn_of_moved_parts(const Scene& scene, const SolvedAssembly& solved, Resul
     if (scene.analysis == Analysis::axisymmetric) return;  // parts move along their axis alone
     const MovedScene moved = moved_scene(scene, solved);
     if (!moved.any) return;
-    const Pressing pairs = pressing_of(solved);
+    const std::set<Pair> pressing = pairs_where(solved, false), bonded = pairs_where(solved, true);
     std::vector<Finding> overlaps, apart;
     const auto names = [&](const Pair& p) { return scene.parts[at(p.first)].name + " and " + scene.parts[at(p.second)].name; };
     const auto unknown = [&](const Pair& p) { return moved.unknown[at(p.first)] + moved.unknown[at(p.second)]; };
     for (const Encounter& e : find_encounters(moved.scene, 1)) {
         const Pair pair = std::minmax(e.first, e.second);
-        if (!e.overlap || e.overlap->depth <= 2 * unknown(pair) || pairs.pressing.count(pair) || pairs.bonded.count(pair))
-            continue;
+        if (!e.overlap || e.overlap->depth <= 2 * unknown(pair) || pressing.count(pair) || bonded.count(pair)) continue;
         const double drawn = geometry::overlap(scene.parts[at(e.first)].part, scene.parts[at(e.second)].part, 0).depth;
         if (e.overlap->depth <= drawn + 2 * unknown(pair)) continue;
         const std::string text = names(pair) + " overlap by " + with_unit(e.overlap->depth, 2, scene.length_unit) + " near " +
@@ -96,13 +89,13 @@ void warn_of_moved_parts(const Scene& scene, const SolvedAssembly& solved, Resul
                             text});
     }
     const double interference = largest_interference(scene);
-    for (const Pair& pair : pairs.pressing) {
+    for (const Pair& pair : pressing) {
         const geometry::Part &first = moved.scene.parts[at(pair.first)].part, &second = moved.scene.parts[at(pair.second)].part;
         // along round faces the way is a tangent
         const double size = std::min(bounding_box(first).diagonal(), bounding_box(second).diagonal()),
                      along = (moved.way[at(pair.first)] - moved.way[at(pair.second)]).norm(),
                      known = 2 * unknown(pair) + along * along / size + interference + touching_length(first, second);
-        if (pair.first == pair.second || closest_points(first, second, known)) continue;
+        if (closest_points(first, second, known)) continue;
         const std::string text = names(pair) + " press each other as drawn, and are apart where the answer has them";
         apart.push_back({0, names(pair), text + ": they have slid off each other. Draw them where they are to meet", text});
     }

@@ -11,14 +11,6 @@
 
 namespace abut {
 
-namespace {
-
-Eigen::Vector3d nearest_shares(const Eigen::MatrixXd& units, const Eigen::VectorXd& displacement) {
-    return solver::PivotedCholesky(units.transpose() * units).solve(units.transpose() * displacement);
-}
-
-}  // namespace
-
 Eigen::MatrixXd unit_motions(const PartOnGrid& grid) {
     using solver::RigidMotion;
     return solver::coefficients_of(grid.input.space, {RigidMotion{{1, 0}, 0, grid.center}, RigidMotion{{0, 1}, 0, grid.center},
@@ -51,18 +43,12 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 
 FittedMotion fitted_motion(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
     const Eigen::MatrixXd units = unit_motions(g);
-    const Eigen::Vector3d share = nearest_shares(units, displacement);
-    return {{g.frame.vector_to_global(share.head<2>()), share[2], g.frame.to_global(g.center)},
-            (displacement - units * share).lpNorm<Eigen::Infinity>()};
+    const Eigen::Vector3d share = solver::PivotedCholesky(units.transpose() * units).solve(units.transpose() * displacement);
+    return {{g.frame.vector_to_global(share.head<2>()), share[2], g.frame.to_global(g.center)}, displacement - units * share};
 }
 
 FittedMotion fitted_motion_of(const SolvedAssembly& solved, std::size_t grid) {
     return fitted_motion(solved.grids[grid], solved.solution.displacement[grid]);
-}
-
-Eigen::VectorXd without_motion(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
-    const Eigen::MatrixXd units = unit_motions(g);
-    return displacement - units * nearest_shares(units, displacement);
 }
 
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,

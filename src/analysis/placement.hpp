@@ -18,16 +18,15 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 /// The coefficients (2n x 3) of the rigid motions along x and y of a part's frame and about its centre.
 Eigen::MatrixXd unit_motions(const PartOnGrid& grid);
 
-/// The rigid motion that comes nearest to all of a part's displacement, in assembly coordinates, whatever holds the part; and
-/// the most that coefficients differ from it: how far it bends.
+/// The rigid motion that comes nearest to all of a part's displacement (2n), in assembly coordinates, whatever holds the part,
+/// and the rest (2n): how it bends.
 struct FittedMotion {
     solver::RigidMotion motion;
-    double rest = 0;
+    Eigen::VectorXd rest;
+    double bending() const { return rest.lpNorm<Eigen::Infinity>(); }  ///< no point moves farther by the rest
 };
 FittedMotion fitted_motion(const PartOnGrid& grid, const Eigen::VectorXd& displacement);
 FittedMotion fitted_motion_of(const SolvedAssembly& solved, std::size_t grid);
-/// A displacement (2n) less that motion.
-Eigen::VectorXd without_motion(const PartOnGrid& grid, const Eigen::VectorXd& displacement);
 
 /// Where a solution has the parts that move by more than `placed_fraction` of their own size, by part of the scene that was
 /// solved; others stay: what they move by belongs to the answer, as bending does, and so do bonded parts. Nothing where no part

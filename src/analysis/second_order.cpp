@@ -6,6 +6,8 @@
 // A straight column has no displacement to grow: it is pushed aside, and its bending is to be less in the answer to what that
 // leaves out.
 //
+// Where friction at its limit leaves open how far parts go, which is told, nothing is said of how that changes.
+//
 // Most scenes call for none of this, which their motions, mean stresses and shapes show beforehand.
 #include "src/analysis/second_order.hpp"
 
@@ -13,11 +15,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 
 #include "solver/splines/local_spline.hpp"
 #include "solver/terms/finite_motion.hpp"
+#include "src/analysis/motions_at_limit.hpp"
 #include "src/analysis/moved_forces.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/analysis/second_order_loads.hpp"
@@ -58,7 +62,7 @@ double largest_force(const SolvedAssembly& solved) {
 /// Does a part bend, or is it strained, by a share of its mean width that counts?
 bool bends_far(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
-    return !grid.is_rigid && fitted_motion_of(solved, i).rest > noted_bending * grid.area / grid.size;
+    return !grid.is_rigid && fitted_motion_of(solved, i).bending() > noted_bending * grid.area / grid.size;
 }
 
 /// The second moments of a part's area about its centre; the first axis is across where it is long.
@@ -176,7 +180,7 @@ Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std:
     const auto take = [&](const Change& change) {
         if (std::max(change.share, change.growing) > std::max(most.share, most.growing)) most = change;
     };
-    const bool is_held = !solved.problem.parts[i].supports.empty();
+    const bool is_held = is_held_by_edges(solved, i);
     if (!is_held && !is_neutral(solved, i)) {
         const Vec2 way = of_v.motion.translation;
         if (const double along = way.norm() > 0 ? of_u.motion.translation.dot(way.normalized()) : 0; std::abs(along) > least)
@@ -185,10 +189,9 @@ Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std:
         if (std::abs(turned) * solved.grids[i].size > 2 * least)
             take(change_by(std::abs(turned), std::abs(more), std::copysign(more, more * turned)));
     }
-    if (!solved.grids[i].is_rigid && (is_held || of_u.rest > least)) {
-        const PartOnGrid& grid = solved.grids[i];
-        const MeanProducts p = is_held ? mean_products(grid.input, u, v)
-                                       : mean_products(grid.input, without_motion(grid, u), without_motion(grid, v));
+    if (!solved.grids[i].is_rigid && (is_held || of_u.bending() > least)) {
+        const solver::PartInput& input = solved.grids[i].input;
+        const MeanProducts p = is_held ? mean_products(input, u, v) : mean_products(input, of_u.rest, of_v.rest);
         if (p.uu > 0) take(change_by(1, std::sqrt(p.vv / p.uu), p.uv / p.uu));
     }
     if (!bends_far(solved, i)) return most;
@@ -247,16 +250,17 @@ void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& m
     const std::vector<solver::RigidMotion> none(out.solved.grids.size());
     const std::vector<MovedForce> before = moved_forces(scene, out.solved, none), after = moved_forces(scene, moved, none);
     const double largest = largest_force(out.solved);
-    std::vector<Finding> findings;
-    for (std::size_t k = 0; k < std::min(before.size(), after.size()); ++k) {
+    std::map<std::string, Finding> findings;  // a contact may press in several stretches
+    for (std::size_t k = 0; k < before.size(); ++k) {
         const double share = (after[k].force - before[k].force).norm() / largest;
         if (share <= noted) continue;
-        const std::string number = contact_number(before[k].contact);
-        const std::string text = "the force of contact " + number + " changes by about " + percent_text(share) +
+        const std::string contact = "contact " + contact_number(before[k].contact);
+        const std::string text = "the force of " + contact + " changes by about " + percent_text(share) +
                                  " of the largest one once forces are balanced where parts have moved and bent to";
-        findings.push_back({share, "contact " + number, text + ", which the answer leaves out", text});
+        Finding& worst = findings[contact];
+        if (share > worst.measure) worst = {share, contact, text + ", which the answer leaves out", text};
     }
-    tell(std::move(findings), "turned_force", result);
+    tell(values_of(findings), "turned_force", result);
 }
 
 }  // namespace
@@ -276,7 +280,7 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
         return;
     }
     const double noted = noted_change * out.target + strains_share * strain_of(solved);
-    tell_displacements(scene, out, moved, noted, threads, result);
+    if (!any_at_limit(scene, solved)) tell_displacements(scene, out, moved, noted, threads, result);
     const auto is_told = [](const Reason& r) { return r.kind == "turned_force"; };
     if (std::none_of(result.reasons.begin(), result.reasons.end(), is_told)) tell_forces(scene, out, moved, noted, result);
 }

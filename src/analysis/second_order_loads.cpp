@@ -13,29 +13,15 @@ namespace abut {
 
 namespace {
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using geometry::cross, geometry::left_of;
-
-/// Do held edges keep the part where it is? How it gives way there is strain.
-bool is_held_by_edges(const SolvedAssembly& solved, std::size_t i) {
-    return !solved.problem.parts[i].supports.empty();
-}
 
 /// The part's motion as a whole, in assembly coordinates.
 solver::RigidMotion motion_of(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
     if (is_held_by_edges(solved, i) || grid.input.axis) return rigid_motion_of(solved, i);
     return fitted_motion_of(solved, i).motion;
-}
-
-/// The sum of place times force over a rigid part's loads, contacts' included: what its stress integral's trace would be.
-double virial_of(const PartOnGrid& grid, const VectorXd& load) {
-    VectorXd aside = load;  // turned left: its moment is the sum
-    for (Index f = 0; f + 1 < aside.size(); f += 2) aside.segment<2>(f) = left_of(Vec2(load.segment<2>(f)));
-    const solver::Resultant turned = resultant_of(grid.input.space, aside);
-    return turned.moment - cross(grid.center, turned.force);
 }
 
 /// A load less what it works in motions of the part that nothing resists: they are left out, and no rounding is to drive them.
@@ -49,6 +35,10 @@ VectorXd without_neutral_work(const SolvedAssembly& solved, std::size_t i, Vecto
 }
 
 }  // namespace
+
+bool is_held_by_edges(const SolvedAssembly& solved, std::size_t part) {
+    return !solved.problem.parts[part].supports.empty();
+}
 
 VectorXd load_of(const PartOnGrid& grid, const Wrench& wrench) {
     const MatrixXd motions = unit_motions(grid);
@@ -84,7 +74,7 @@ double moment_as_part_turns(const SolvedAssembly& solved, std::size_t i) {
     const double rotation = motion_of(solved, i).rotation;
     if (rotation == 0) return 0;
     return -rotation * (grid.is_rigid
-                            ? virial_of(grid, solved.solution.load[i])
+                            ? virial_of(grid.input.space, solved.solution.load[i], grid.center)
                             : stress_integral(solved.problem.parts[i].input, solved.solution.displacement[i]).trace());
 }
 

@@ -16,6 +16,9 @@ struct Wrench {
 /// The load (2n) that works in rigid motions what the wrench does, evenly over the part's functions.
 Eigen::VectorXd load_of(const PartOnGrid& grid, const Wrench& wrench);
 
+/// Do edges that supports hold keep the part where it is? How it gives way there is strain.
+bool is_held_by_edges(const SolvedAssembly& solved, std::size_t part);
+
 /// Finds what contacts' forces do more on each part as they move away from its points and turn with their normals. Parts are
 /// taken as rigid; those that edges hold stay, since how they give way is strain.
 std::vector<Wrench> wrenches_as_contacts_move(const Scene& scene, const SolvedAssembly& solved);

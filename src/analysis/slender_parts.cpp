@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "solver/terms/finite_motion.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
@@ -55,19 +56,16 @@ double ring_slenderness(const geometry::Part& part) {
     return thickness / radius;
 }
 
-/// The mean stress, in the part's frame.
-Eigen::Vector3d mean_stress(const PartOnGrid& g, const Eigen::VectorXd& displacement, double area) {
-    const solver::FunctionIntegrals mean = integrate_functions(g.input);
-    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
-    for (Eigen::Index f = 0; f < mean.dx.size(); ++f)
-        gradient += displacement.segment<2>(2 * f) * Eigen::RowVector2d(mean.dx[f], mean.dy[f]) / area;
-    return stress_of(g.input.elasticity, gradient);
+/// A part's mean stress, in its grid's frame.
+Eigen::Matrix2d mean_stress(const SolvedAssembly& solved, std::size_t grid) {
+    const solver::PartInput& input = solved.problem.parts[grid].input;
+    return stress_integral(input, solved.solution.displacement[grid]) / (solved.grids[grid].area * input.thickness);
 }
 
 /// The stress along a direction, in assembly coordinates.
-double stress_along(const PartOnGrid& g, const Eigen::Vector3d& s, const Vec2& along) {
+double stress_along(const PartOnGrid& g, const Eigen::Matrix2d& stress, const Vec2& along) {
     const Vec2 e = g.frame.vector_to_local(along.normalized());
-    return s[0] * e.x() * e.x() + s[1] * e.y() * e.y() + 2 * s[2] * e.x() * e.y();
+    return e.dot(stress * e);
 }
 
 /// Is a part bonded to others along as much of its boundary as half of a length? Its sides do not give way then.
@@ -126,7 +124,7 @@ std::optional<Finding> ring_that_buckles(const Scene& scene, const Outcome& out,
     if (critical == 0 || out.largest[k].von_mises.value <= critical) return std::nullopt;
     const double outline = 0.5 * perimeter(part.part);
     if (is_bonded_along(out.solved, k, outline) || is_held_around(scene, out.solved, k, outline)) return std::nullopt;
-    const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part)).head<2>().sum();
+    const double pressed = -mean_stress(out.solved, k).trace();
     constexpr double hoop_alone = 0.75;  // of it is what von Mises' stress is: less is a pressure from inside as well
     if (pressed <= critical || out.largest[k].von_mises.value < hoop_alone * pressed) return std::nullopt;
     return Finding{pressed / critical, part.name,
@@ -151,15 +149,14 @@ void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
         const double one_end = 0.25 * euler, both_ends = 4 * euler;
         if (euler == 0 || out.largest[k].von_mises.value <= one_end) continue;
         if (is_bonded_along(out.solved, k, column.along.norm())) continue;
-        const double pressed =
-            -stress_along(g, mean_stress(g, out.solved.solution.displacement[k], area(part.part)), column.along);
+        const double pressed = -stress_along(g, mean_stress(out.solved, k), column.along);
         if (pressed <= one_end || is_pressed_between(scene, out.solved, k, column.along)) continue;
         const std::string pressed_by =
             "part " + part.name + " is slender, and pressed along its length by " + number_text(pressed, 3) + " on average: ";
         findings.push_back({pressed / euler, part.name,
                             pressed_by + "such a column buckles from " + number_text(one_end, 3) +
                                 " on where it is held at one end, from " + number_text(both_ends, 3) +
-                                " on where it is clamped at both, unless something holds its sides; buckling is not computed",
+                                " on where it is clamped at both, unless something holds its sides",
                             pressed > both_ends ? "part " + part.name + " may buckle" : ""});
     }
     tell(std::move(findings), "buckling", result);

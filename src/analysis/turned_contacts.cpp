@@ -81,13 +81,8 @@ double load_work(const SolvedAssembly& solved, const Balance& b, std::size_t row
 double load_change(const SolvedAssembly& solved, const Balance& b, std::size_t row, const solver::RigidMotion& moved) {
     const std::size_t i = b.part[row];
     const solver::PartSystem& part = solved.problem.parts[i];
-    Eigen::VectorXd aside = part.applied;  // loads turned left: their moment is the sum of place times load
-    for (Index f = 0; f + 1 < aside.size(); f += 2) aside.segment<2>(f) = left_of(part.applied.segment<2>(f));
-    const Vec2 center = solved.grids[i].frame.to_local(moved.center);
-    const solver::Resultant total = resultant_of(part.input.space, part.applied),
-                            turned = resultant_of(part.input.space, aside);
-    const double virial = turned.moment - cross(center, turned.force);
-    const Vec2 force = solved.grids[i].frame.vector_to_global(total.force);
+    const double virial = virial_of(part.input.space, part.applied, solved.grids[i].frame.to_local(moved.center));
+    const Vec2 force = solved.grids[i].frame.vector_to_global(resultant_of(part.input.space, part.applied).force);
     return b.motion[row].rotation * (cross(moved.translation, force) - moved.rotation * virial);
 }
 
