@@ -8,11 +8,19 @@ namespace abut::geometry {
 
 namespace {
 
+/// Points that are apart by no more than this part of all are one, rounded twice.
+constexpr double same_point_fraction = 1e-9;
+
 std::vector<Vec2> distinct_points(const SplineThrough& through) {
+    Box2 box;
+    for (const Vec2& point : through.points) box.extend(point);
+    const auto are_same = [same = same_point_fraction * box.diagonal()](const Vec2& a, const Vec2& b) {
+        return (a - b).norm() <= same;
+    };
     std::vector<Vec2> p;
     for (const Vec2& point : through.points)
-        if (p.empty() || p.back() != point) p.push_back(point);
-    while (through.closed && p.size() > 1 && p.front() == p.back()) p.pop_back();
+        if (p.empty() || !are_same(p.back(), point)) p.push_back(point);
+    while (through.closed && p.size() > 1 && are_same(p.front(), p.back())) p.pop_back();
     return p;
 }
 

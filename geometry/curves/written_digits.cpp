@@ -21,6 +21,7 @@ double known_to(double rounding, double size) {
 
 double last_digit(const std::vector<double>& numbers) {
     constexpr int most_decimals = 6;
+    constexpr std::ptrdiff_t one_in = 10;  // a line or two that were drawn besides say nothing of the others
     double scale = 1;
     for (int k = 0; k <= most_decimals && !numbers.empty(); ++k, scale *= 10) {
         const auto is_written = [&](double x) {
@@ -28,7 +29,8 @@ double last_digit(const std::vector<double>& numbers) {
             const double scaled = std::abs(x) * scale, away = std::abs(scaled - std::round(scaled));
             return away <= of_digit + 4 * std::numeric_limits<double>::epsilon() * scaled;
         };
-        if (std::all_of(numbers.begin(), numbers.end(), is_written)) return 1 / scale;
+        const std::ptrdiff_t written = std::count_if(numbers.begin(), numbers.end(), is_written);
+        if (one_in * (std::ssize(numbers) - written) <= std::ssize(numbers)) return 1 / scale;
     }
     return 0;
 }

@@ -16,17 +16,15 @@ std::vector<int> Callouts::given(const LooseEntities& loose) const {
     return all;
 }
 
-/// Does no other outline touch it, lie in it, or lie around it?
-bool Callouts::is_clear(std::size_t shape) const {
+/// Does no other outline come as near, lie in it, or lie around it?
+bool Callouts::is_clear(std::size_t shape, double reach) const {
     const Vec2 center = found_.shapes[shape].box.center();
     for (std::size_t k = 0; k < found_.shapes.size(); ++k) {
-        if (k == shape || found_.is_out[k] || !found_.shapes[k].box.overlaps(found_.shapes[shape].box, found_.tolerance))
-            continue;
+        if (k == shape || found_.is_out[k] || !found_.shapes[k].box.overlaps(found_.shapes[shape].box, reach)) continue;
+        if (closest_points(found_.shapes[k].outline, found_.shapes[shape].outline, reach)) return false;
         if (is_upright_rectangle(found_.shapes[k]) && found_.shapes[shape].box.is_within(found_.shapes[k].box, 0))
             continue;  // a frame perhaps
-        if (contains(found_.shapes[k].outline, center) ||
-            closest_points(found_.shapes[k].outline, found_.shapes[shape].outline, found_.tolerance) ||
-            found_.shapes[k].box.is_within(found_.shapes[shape].box, 0))
+        if (contains(found_.shapes[k].outline, center) || found_.shapes[k].box.is_within(found_.shapes[shape].box, 0))
             return false;
     }
     return true;
@@ -72,9 +70,10 @@ void Callouts::find_balloons() {
     for (std::size_t s = 0; s < found_.shapes.size(); ++s) {
         const std::optional<Arc> own = circle(found_.shapes[s]);
         if (!own || found_.is_out[s]) continue;
-        const bool is_labelled = has_text(*own, most_letters);
-        if (!has_text(*own, 3) && !has_leader(*own, is_labelled)) continue;
-        if (!is_clear(s)) continue;
+        constexpr double clearance = 0.1;  // of the radius: nearer ones are parts with their numbers
+        const bool is_labelled = has_text(*own, most_letters), is_pointed_at = has_leader(*own, is_labelled);
+        if (!has_text(*own, 3) && !is_pointed_at) continue;
+        if (!is_clear(s, is_pointed_at ? found_.tolerance : std::max(found_.tolerance, clearance * own->radius))) continue;
         found_.leave(s, drafting_kinds.balloon);
         balloons_.push_back(*own);
     }

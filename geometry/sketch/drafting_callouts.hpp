@@ -23,7 +23,7 @@ private:
 
     std::vector<int> given(const LooseEntities& loose) const;
     std::optional<Arc> circle(const Shape& shape) const { return circle_of(shape, found_.tolerance); }
-    bool is_clear(std::size_t shape) const;
+    bool is_clear(std::size_t shape, double reach) const;
     bool has_text(const Arc& circle, std::size_t most) const;
     bool begins_at_part(const Vec2& p) const;
     bool has_leader(const Arc& circle, bool is_labelled) const;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "geometry/brep/closest_points.hpp"
 #include "src/base/index.hpp"
@@ -18,6 +20,8 @@ constexpr double widest_margin = 0.1;
 /// They are wider than this part of it: on the longest sheet of ISO 5457 (A0 x 3, 2523 mm) the border of 10 mm is 0.4 %. What
 /// is narrower is a wall.
 constexpr double narrowest_margin = 0.003;
+/// What is drawn on a sheet keeps clear of its frame by this part of its longer side; what does not rests on it, or fits.
+constexpr double least_clearance = 0.01;
 
 class SheetSearch {
 public:
@@ -43,8 +47,18 @@ private:
         return std::abs(box.size().prod() - area(face)) <= 1e-3 * area(face);
     }
 
-    /// Small faces with texts, of a divided outline: all but the largest are cells.
-    bool is_table(const std::vector<Part>& faces) const {
+    std::set<std::string> layers_of(const Shape& shape) const {
+        std::set<std::string> layers;
+        for (const int e : shape.entities) layers.insert(found_.drawing.entities[at(e)].layer);
+        return layers;
+    }
+
+    /// Small faces with texts, of a divided outline: all but the largest are cells. Faces with as many layers, or nearly, are
+    /// parts, each with its name.
+    bool is_table(const Shape& shape) const {
+        const std::vector<Part>& faces = shape.faces;
+        const std::size_t n_layers = layers_of(shape).size(), of_tables = 2;  // thick lines and thin ones
+        if (n_layers >= faces.size() || (n_layers > of_tables && 2 * n_layers > faces.size())) return false;
         std::size_t n_cells = 0, n_with_text = 0;
         for (const Part& face : faces) {
             n_cells += is_cell(face) ? 1 : 0;
@@ -56,7 +70,7 @@ private:
     void find_tables() {
         for (std::size_t s = 0; s < found_.shapes.size(); ++s) {
             if (found_.is_out[s] || found_.shapes[s].faces.empty() || !is_upright_rectangle(found_.shapes[s]) ||
-                !is_table(found_.shapes[s].faces))
+                !is_table(found_.shapes[s]))
                 continue;
             const auto largest = std::max_element(found_.shapes[s].faces.begin(), found_.shapes[s].faces.end(),
                                                   [](const Part& a, const Part& b) { return area(a) < area(b); });
@@ -91,23 +105,55 @@ private:
                std::min(low.minCoeff(), high.minCoeff()) > least;
     }
 
+    /// Does anything but the other rectangle of a frame come near the one, from inside or from outside?
+    bool is_approached(std::size_t rectangle, std::size_t other) const {
+        const Shape& own = found_.shapes[rectangle];
+        const double reach = least_clearance * own.box.size().maxCoeff();
+        for (std::size_t s = 0; s < found_.shapes.size(); ++s) {
+            if (found_.is_out[s] || s == rectangle || s == other || !found_.shapes[s].box.overlaps(own.box, reach)) continue;
+            if (closest_points(found_.shapes[s].outline, own.outline, reach)) return true;
+        }
+        return false;
+    }
+
+    /// Is a rectangle with such outlines in it a plate with holes, by its layer, or since they all are round?
+    bool is_plate(std::size_t frame, const std::vector<std::size_t>& inside) const {
+        const std::set<std::string> own = layers_of(found_.shapes[frame]);
+        const bool has_own_layer = own.size() == 1 && *own.begin() != "0";
+        return (has_own_layer &&
+                std::any_of(inside.begin(), inside.end(), [&](std::size_t s) { return layers_of(found_.shapes[s]) == own; })) ||
+               std::all_of(inside.begin(), inside.end(),
+                           [&](std::size_t s) { return circle_of(found_.shapes[s], found_.tolerance).has_value(); });
+    }
+
     /// Is the frame proved by what is in it?
     bool is_frame(std::size_t frame, const std::vector<std::size_t>& inside) const {
         const Shape& own = found_.shapes[frame];
         const bool has_table = !own.faces.empty() && has_cells_with_text(own);
-        const bool has_margin = std::any_of(inside.begin(), inside.end(), [&](std::size_t s) {
+        if (has_table) return true;  // whatever is drawn across it
+        const auto inner = std::find_if(inside.begin(), inside.end(), [&](std::size_t s) {
             return is_upright_frame_in(s, own.box) && inside.size() > 1 && are_most_in(inside, s);
         });
-        if (has_table || has_margin) return true;  // whatever is drawn across it
+        const bool has_margin = inner != inside.end(), has_text = n_texts_in(own.box) > 0;
+        const bool is_clear =
+            !is_approached(frame, has_margin ? *inner : frame) && (!has_margin || !is_approached(*inner, frame));
+        if (has_margin && is_clear && (has_text || is_sparse(frame, *inner, inside))) return true;
         if (!is_around_all(frame)) return false;
-        if (has_proportions_of_paper(own.box) && n_texts_in(own.box) > 0 && own.faces.empty()) return true;
+        if (has_proportions_of_paper(own.box) && has_text && own.faces.empty() && is_clear && !is_plate(frame, inside))
+            return true;
+        return own.faces.empty() && is_sparse(frame, frame, inside);
+    }
+
+    /// Do outlines in a frame, but for another frame, share lines, as holes do not, and fill little of it?
+    bool is_sparse(std::size_t frame, std::size_t other, const std::vector<std::size_t>& inside) const {
         double filled = 0;
         bool is_shared = false;
         for (const std::size_t s : inside) {
+            if (s == other) continue;
             filled += found_.shapes[s].area;
             is_shared = is_shared || found_.shapes[s].faces.size() > 1;
         }
-        return own.faces.empty() && is_shared && filled < most_filled * own.area;
+        return is_shared && filled < most_filled * found_.shapes[frame].area;
     }
 
     bool are_most_in(const std::vector<std::size_t>& shapes, std::size_t frame) const {
@@ -134,7 +180,8 @@ private:
             if (outermost == found_.shapes.size() || !is_upright_rectangle(found_.shapes[outermost])) return;
             const std::vector<std::size_t> inside = inside_of(outermost);
             if (inside.empty()) return;
-            if (!is_frame(outermost, inside) && !(has_frame_ && is_upright_frame_in(outermost, last_frame_))) {
+            if (!is_frame(outermost, inside) &&
+                !(has_frame_ && is_upright_frame_in(outermost, last_frame_) && !is_approached(outermost, outermost))) {
                 doubt_frame(outermost, inside);
                 return;
             }

@@ -159,6 +159,18 @@ struct FoundPart {
     int number = 0;  ///< in the order in which they were found
 };
 
+/// Is the part no wider than ends are joined across? It lies between two drawings of one outline.
+std::optional<SketchProblem> film_of(const FoundPart& found, double tolerance, const Vec2& origin) {
+    const double width = 2 * area(found.part) / perimeter(found.part);
+    if (width > tolerance) return std::nullopt;
+    const Edge& edge = found.part.edges.front();
+    return SketchProblem{"part " + found.part.name + " is " + number_text(width) +
+                             " wide, less than what ends are joined across (" + number_text(tolerance) +
+                             "): its outline is drawn twice",
+                         point(edge.curve, 0) + origin, edge.name, found.line,
+                         "delete one of them, or give a smaller tolerance where it is a foil"};
+}
+
 /// `region_parts`: by region, its part among those found; -1 where it is none.
 void add_parts(const std::string& group, const GroupOutlines& closed, const MaterialHints& hints, SketchParts& sketch,
                std::vector<FoundPart>& found, std::vector<int>& region_parts) {
@@ -241,6 +253,8 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
     }
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
+        if (std::optional<SketchProblem> film = film_of(one, sketch.tolerance, origin))
+            sketch.problems.push_back(std::move(*film));
         sketch.parts.push_back(std::move(one.part));
         sketch.layers.push_back(std::move(one.label));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/sketch/sketch_drafting.hpp"
 
+#include <algorithm>
+
 #include "geometry/sketch/drafting_callouts.hpp"
 #include "geometry/sketch/drafting_sheet.hpp"
 
@@ -31,6 +33,15 @@ std::vector<SketchProblem> told(const DraftingSearch& search) {
     return warnings;
 }
 
+/// Is all that is drawn balloons and what belongs to them? Then they are what is drawn.
+bool is_all_callouts(const DraftingSearch& search) {
+    const auto is_of_sheet = [](const char* kind) {
+        return kind == drafting_kinds.frame || kind == drafting_kinds.table || kind == drafting_kinds.sheet;
+    };
+    return std::all_of(search.is_out.begin(), search.is_out.end(), [](bool out) { return out; }) &&
+           std::none_of(search.kind.begin(), search.kind.end(), is_of_sheet);
+}
+
 }  // namespace
 
 DraftingFound find_drafting(const Drawing& drawing, const SketchOptions& options) {
@@ -41,6 +52,7 @@ DraftingFound find_drafting(const Drawing& drawing, const SketchOptions& options
     const std::vector<SketchProblem> doubts = find_sheet(search);
     callouts.find();
     DraftingFound found;
+    if (is_all_callouts(search)) search.kind.assign(search.kind.size(), nullptr);
     for (const char* kind : search.kind) found.is_drafting.push_back(kind != nullptr);
     if (std::find(found.is_drafting.begin(), found.is_drafting.end(), true) == found.is_drafting.end())
         found.mended = std::move(search.mended);

@@ -14,7 +14,7 @@ struct Precision {
     double written = 0;   ///< what rounding to the last digit that lines are written with moves a point by; 0: not known
     double circles = 0;   ///< by how much the digits of centres and radii may have moved circles; 0: not known
 };
-/// Rounding of numbers as large as the drawing (`size`), and of the digits that all ends of its lines, and its circles, are
+/// Rounding of numbers as large as the drawing (`size`), and of the digits that ends of its lines, and its circles, are
 /// written with (written_digits.hpp).
 Precision precision_of(const Drawing& drawing, double size);
 

@@ -39,7 +39,7 @@ void fill_column(const PartSystem& part, std::span<const RowEntry> entries, Inde
         if (unknown(e) >= 0) to.insertBack(unknown(e), column) = e.value;
 }
 
-/// entries: by row, then coefficient.
+/// entries: by row, then coefficient; load (2n), or none.
 PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entries, const VectorXd& load) {
     PartColumns c{rows_of(entries), {}, load.size() > 0};
     c.columns.resize(part.n_kept, static_cast<Index>(c.row.size()) + (c.is_loaded ? 1 : 0));
@@ -54,7 +54,8 @@ PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entr
     if (c.is_loaded) {
         const Index last = c.columns.cols() - 1;
         c.columns.startVec(last);
-        for (Index i = 0; i < load.size(); ++i) c.columns.insertBack(i, last) = load[i];
+        const VectorXd kept = kept_entries(part, load);
+        for (Index i = 0; i < kept.size(); ++i) c.columns.insertBack(i, last) = kept[i];
     }
     c.columns.finalize();
     return c;
@@ -89,15 +90,36 @@ void fold_rotation(const VectorXd& arm, PartShare& share) {
     share.row.pop_back();
 }
 
+/// What a part yields by motions on its springs: W'B of the columns B.
+MatrixXd by_springs(const PartSystem& part, const std::vector<RowEntry>& entries, const VectorXd& load) {
+    const auto n = static_cast<Index>(rows_of(entries).size());
+    MatrixXd yielding = MatrixXd::Zero(part.sprung.cols(), n + (load.size() > 0 ? 1 : 0));
+    Index column = -1;
+    int row = -1;
+    for (const RowEntry& e : entries) {
+        if (e.row != std::exchange(row, e.row)) ++column;
+        yielding.col(column) += e.value * part.sprung.row(e.coefficient).transpose();
+    }
+    if (load.size() > 0) yielding.col(n) = part.sprung.transpose() * load;
+    return yielding;
+}
+
 PartShare share_of(const PartSystem& part, const Rows& rows, std::size_t i) {
     if (rows.by_part[i].empty()) return {};
-    if (part.body) return {{}, {}, opening_of(rows, i, part.prescribed)};
+    if (part.body && part.sprung.cols() == 0) return {{}, {}, opening_of(rows, i, part.prescribed)};
     const bool turns = rows.turning[i].rotation.size() > 0;
-    VectorXd load = kept_load(part, part.load);
+    const VectorXd load = load_beside_prescribed(part, part.load);
     const bool is_loaded = !load.isZero(0), is_apart = part.factor.keeps_forms();  // forms are those of any load
     const VectorXd with_rows = is_loaded && !is_apart ? load : VectorXd(0);
-    PartColumns c = columns_of(part, turns ? with_rotation(rows, i) : rows.by_part[i], with_rows);
-    PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), opening_of(rows, i, part.prescribed)};
+    const std::vector<RowEntry> entries = turns ? with_rotation(rows, i) : rows.by_part[i];
+    PartColumns c = columns_of(part, entries, with_rows);
+    PartShare share{std::move(c.row), {}, opening_of(rows, i, part.prescribed)};
+    if (!part.body) share.compliance = part.factor.inverse_form(c.columns);
+    if (part.sprung.cols() > 0) {
+        const MatrixXd yielding = by_springs(part, entries, with_rows);
+        if (part.body) share.compliance = MatrixXd::Zero(yielding.cols(), yielding.cols());
+        share.compliance += yielding.transpose() * yielding;
+    }
     if (turns) fold_rotation(rows.turning[i].arm, share);
     if (is_loaded && is_apart) share.opening = opening_of(rows, i, solve(part, part.load));
     if (c.is_loaded)

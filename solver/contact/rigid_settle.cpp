@@ -170,7 +170,11 @@ MatrixXd held_stiffness(const MotionRows& modes, const VectorXd& foundation, dou
 
 double force_scale_of(const ContactQp& qp, const MotionRows& modes, const VectorXd& multipliers) {
     if (qp.modes.size() == 0) return qp.load_scale;
-    return std::max(qp.load_scale, modes.transposed_sizes_times(multipliers.cwiseAbs()).maxCoeff());
+    const VectorXd sizes = multipliers.cwiseAbs();
+    const double scale = std::max(qp.load_scale, modes.transposed_sizes_times(sizes).maxCoeff());
+    if (qp.load_scale > 0) return scale;
+    // forces of displacements alone may all be across the motions, on which nothing but their rounding acts then
+    return std::max(scale, qp.modes.cwiseAbs().maxCoeff() * sizes.maxCoeff());
 }
 
 /// What the rounding of gaps, which are the small differences of drawn gaps and motions, may leave of the balance: stiff gaps

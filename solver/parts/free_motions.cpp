@@ -2,6 +2,7 @@
 #include "solver/parts/free_motions.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <utility>
 
 #include "solver/assembly/assembly.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -11,58 +12,61 @@ namespace abut::solver {
 
 namespace {
 
-/// Motions that neither supports nor springs resist: the null space of sum w (d.r_k)(d.r_l) over the three unit motions r. A
-/// spring's stiffness does not count: what it resists at all it holds.
-std::vector<RigidMotion> free_motions_in_plane(const PartSystem& s, const Vec2& center, double size) {
-    const RigidMotion unit[3] = {{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1 / size, center}};
-    Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-    const auto resist = [&](const Vec2& x, const Vec2& direction, double weight) {
-        Eigen::Vector3d along;
-        for (int k = 0; k < 3; ++k) along[k] = direction.dot(unit[k].at(x));
-        gram += weight * along * along.transpose();
-    };
-    for (const SupportRecord& record : s.supports)
-        for (const SupportPoint& p : record.set.points) resist(p.x, p.direction, p.weight);
-    for (const SpringSet& set : s.springs)
-        for (const SpringPoint& p : set.points) {
-            if (set.normal > 0) resist(p.x, p.normal, p.weight);
-            if (set.tangential > 0) resist(p.x, {-p.normal.y(), p.normal.x()}, p.weight);
-        }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(gram);
-    std::vector<RigidMotion> motions;
-    for (int k = 0; k < 3; ++k) {
-        if (gram.isZero(0))
-            motions.push_back(unit[k]);
-        else if (eigen.eigenvalues()[k] <= rigid_mode_fraction * eigen.eigenvalues()[2]) {
-            const Eigen::Vector3d v = eigen.eigenvectors().col(k);
-            motions.push_back({v.head<2>(), v[2] / size, center});
-        }
-    }
-    return motions;
-}
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-/// Around an axis: along it, unless something resists that.
-std::vector<RigidMotion> free_motions_along_axis(const PartSystem& s, const Vec2& center) {
-    double held = 0, all = 0;
-    const auto resist = [&](double along, double weight) {
-        held += weight * along * along;
-        all += weight;
-    };
-    for (const SupportRecord& record : s.supports)
-        for (const SupportPoint& p : record.set.points) resist(p.direction.y(), p.weight);
-    for (const SpringSet& set : s.springs)
-        for (const SpringPoint& p : set.points) {
-            if (set.normal > 0) resist(p.normal.y(), p.weight);
-            if (set.tangential > 0) resist(p.normal.x(), p.weight);
-        }
-    if (held > rigid_mode_fraction * all) return {};
-    return {{{0, 1}, 0, center}};
-}
+/// What resists motions at all, however stiff it is: sum w (d.r_k)(d.r_l).
+class Resistance {
+public:
+    explicit Resistance(std::vector<RigidMotion> motions)
+        : motions_(std::move(motions)), gram_(MatrixXd::Zero(std::ssize(motions_), std::ssize(motions_))) {}
+
+    void add(const Vec2& x, const Vec2& direction, double weight) {
+        VectorXd along(gram_.rows());
+        for (std::size_t k = 0; k < motions_.size(); ++k) along[static_cast<Index>(k)] = direction.dot(motions_[k].at(x));
+        gram_ += weight * along * along.transpose();
+        all_ += weight;
+    }
+
+    /// Those that nothing resists, the null space, and the others.
+    std::pair<std::vector<RigidMotion>, std::vector<RigidMotion>> split() const {
+        if (gram_.isZero(0)) return {motions_, {}};
+        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram_);
+        std::pair<std::vector<RigidMotion>, std::vector<RigidMotion>> split;
+        for (Index k = 0; k < gram_.rows(); ++k)
+            (eigen.eigenvalues()[k] <= rigid_mode_fraction * all_ ? split.first : split.second)
+                .push_back(sum_of_motions(motions_, eigen.eigenvectors().col(k)));
+        return split;
+    }
+
+private:
+    std::vector<RigidMotion> motions_;
+    MatrixXd gram_;
+    double all_ = 0;
+};
 
 }  // namespace
 
-std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, double size) {
-    return s.input.axis ? free_motions_along_axis(s, center) : free_motions_in_plane(s, center, size);
+UnheldMotions split_by_springs(std::vector<RigidMotion> unheld, const std::vector<SpringSet>& springs) {
+    if (unheld.empty() || springs.empty()) return {std::move(unheld), {}};
+    Resistance resistance(std::move(unheld));
+    for (const SpringSet& set : springs)
+        for (const SpringPoint& p : set.points) {
+            if (set.normal > 0) resistance.add(p.x, p.normal, p.weight);
+            if (set.tangential > 0) resistance.add(p.x, {-p.normal.y(), p.normal.x()}, p.weight);
+        }
+    auto [free, on_springs] = resistance.split();
+    return {std::move(free), std::move(on_springs)};
+}
+
+UnheldMotions unheld_motions(const PartSystem& s, const Vec2& center, double size) {
+    std::vector<RigidMotion> all{{{0, 1}, 0, center}};
+    if (!s.input.axis) all = {{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1 / size, center}};
+    Resistance resistance(std::move(all));
+    for (const SupportRecord& record : s.supports)
+        for (const SupportPoint& p : record.set.points) resistance.add(p.x, p.direction, p.weight);
+    return split_by_springs(resistance.split().first, s.springs);
 }
 
 namespace {

@@ -5,9 +5,18 @@
 
 namespace abut::solver {
 
-/// The rigid motions that nothing holds of a part whose supports and springs are known; center, size: as in make_part_system.
-/// Around an axis the only rigid motion is the one along it: all others stretch the hoops.
-std::vector<RigidMotion> free_motions(const PartSystem& system, const Vec2& center, double size);
+/// The rigid motions of a part that supports do not hold: those that nothing holds, and those that springs do, however soft
+/// they are.
+struct UnheldMotions {
+    std::vector<RigidMotion> free, on_springs;
+};
+
+/// Those of a part whose supports and springs are known; center, size: as in make_part_system. Around an axis the only rigid
+/// motion is the one along it: all others stretch the hoops.
+UnheldMotions unheld_motions(const PartSystem& system, const Vec2& center, double size);
+
+/// Of motions that supports do not hold.
+UnheldMotions split_by_springs(std::vector<RigidMotion> unheld, const std::vector<SpringSet>& springs);
 
 /// The sum of motions, each times its share, about the centre of the first.
 RigidMotion sum_of_motions(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& shares);

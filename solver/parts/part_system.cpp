@@ -8,6 +8,7 @@
 
 #include "solver/parts/free_motions.hpp"
 #include "solver/parts/hold_axis.hpp"
+#include "solver/parts/on_springs.hpp"
 #include "solver/parts/pins.hpp"
 #include "solver/parts/row_hints.hpp"
 #include "solver/parts/structure_reactions.hpp"
@@ -77,8 +78,11 @@ void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
     s.seconds.springs = seconds_since(begin);
 }
 
-void number_unknowns(PartSystem& s) {
-    const std::vector<Index> pinned = pins(s);
+/// soft: motions that are held like free ones.
+void number_unknowns(PartSystem& s, const Eigen::MatrixXd& soft) {
+    Eigen::MatrixXd held(s.modes.rows(), s.modes.cols() + soft.cols());
+    held << s.modes, soft;
+    const std::vector<Index> pinned = pins(s, held);
     s.number.assign(s.dropped.size(), -1);
     for (std::size_t i = 0; i < s.dropped.size(); ++i) {
         const bool is_pin = std::find(pinned.begin(), pinned.end(), static_cast<Index>(i)) != pinned.end();
@@ -120,11 +124,11 @@ void set_loads(PartSystem& s, Eigen::VectorXd applied, const Eigen::VectorXd& we
     s.load = (s.input.structure ? weighted : s.applied) + s.held_load;
 }
 
-void set_modes(PartSystem& s) {
-    s.modes = coefficients_of(s.input.space, s.free_motions);
-    if (s.modes.cols() == 0) return;
+/// Coefficients of motions that no dropped function takes part in.
+Eigen::MatrixXd beside_dropped(const PartSystem& s, Eigen::MatrixXd motions) {
     for (std::size_t i = 0; i < s.dropped.size(); ++i)
-        if (s.dropped[i]) s.modes.row(static_cast<Index>(i)).setZero();
+        if (s.dropped[i]) motions.row(static_cast<Index>(i)).setZero();
+    return motions;
 }
 
 /// The projection of the volume strain, which Nitsche's supports have a share in.
@@ -151,7 +155,7 @@ std::string failure_text(const PartSystem& s) {
     if (s.input.structure && s.springs.empty())
         return text +
                "the weight functions of its supports leave too little there; take dirichlet \"nitsche\", or smaller cells";
-    if (!s.springs.empty())
+    if (s.input.structure)
         return text + "its springs are too soft against its material to hold it; make them stiffer, or add a support";
     if (s.input.space.basis != Basis::web)
         return text + "functions of the basis hardly reach into the part there; take basis \"web\", or move the grid lines";
@@ -232,22 +236,27 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     set_loads(s, std::move(applied), weighted);
     if (s.input.touches_axis) hold_axis(s);
     if (!s.failure.empty()) return s;
-    s.free_motions = free_motions(s, center, size);
+    UnheldMotions unheld = unheld_motions(s, center, size);
+    s.free_motions = std::move(unheld.free);
     if (s.input.structure && !follow_structure(s, size)) {
         s.failure =
             "its supports leave it a rigid motion that weight functions cannot follow (one point, or one straight edge held "
             "along itself); hold points that leave it no motion, or edges in place of points, with dirichlet \"nitsche\"";
         return s;
     }
-    set_modes(s);
-    number_unknowns(s);
+    s.modes = beside_dropped(s, coefficients_of(s.input.space, s.free_motions));
+    if (s.input.structure) unheld.on_springs.clear();  // they are no motions of weighted functions
+    const Eigen::MatrixXd soft = beside_dropped(s, soft_motions(s, unheld.on_springs));
+    number_unknowns(s, soft);
     const double before = seconds_since(begin);
     s.factor = factorized(s);
     s.seconds.all = seconds_since(begin);
     s.seconds.factorisation = s.seconds.all - before;
     if (!s.factor.ok())
         note_failure(s);
-    else if (!s.springs.empty() && condition_estimate(s) > largest_spring_condition)
+    else if (soft.cols() > 0)
+        s.sprung = sprung_motions(s, soft);
+    else if (s.input.structure && !s.springs.empty() && condition_estimate(s) > largest_spring_condition)
         s.failure = failure_text(s);
     return s;
 }
@@ -265,34 +274,32 @@ Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd&
     return forces;
 }
 
-Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load) {
+Eigen::VectorXd load_beside_prescribed(const PartSystem& system, const Eigen::VectorXd& load) {
     ENSURE(load.size() == 2 * system.n(), "a load has two numbers for every function");
-    Eigen::VectorXd rest = load;
-    if (!system.prescribed.isZero(0)) rest -= stiffness_times(system, system.prescribed);
+    if (system.body || system.prescribed.isZero(0)) return load;
+    return load - stiffness_times(system, system.prescribed);
+}
+
+Eigen::VectorXd kept_entries(const PartSystem& system, const Eigen::VectorXd& load) {
     Eigen::VectorXd b(system.n_kept);
     for (std::size_t i = 0; i < system.number.size(); ++i)
-        if (system.number[i] >= 0) b[system.number[i]] = rest[static_cast<Index>(i)];
+        if (system.number[i] >= 0) b[system.number[i]] = load[static_cast<Index>(i)];
     return b;
 }
 
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
-    if (system.body) return system.prescribed;
-    const Eigen::VectorXd x = system.factor.solve(kept_load(system, load));
-    Eigen::VectorXd u = system.prescribed;
-    for (std::size_t i = 0; i < system.number.size(); ++i)
-        if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
-    return u;
+    return system.prescribed + response(system, load_beside_prescribed(system, load));
 }
 
 Eigen::VectorXd response(const PartSystem& system, const Eigen::VectorXd& load) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(load.size());
-    if (system.body || load.size() == 0) return u;
-    Eigen::VectorXd b(system.n_kept);
-    for (std::size_t i = 0; i < system.number.size(); ++i)
-        if (system.number[i] >= 0) b[system.number[i]] = load[static_cast<Index>(i)];
-    const Eigen::VectorXd x = system.factor.solve(b);
-    for (std::size_t i = 0; i < system.number.size(); ++i)
-        if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
+    if (load.size() == 0) return u;
+    if (!system.body) {
+        const Eigen::VectorXd x = system.factor.solve(kept_entries(system, load));
+        for (std::size_t i = 0; i < system.number.size(); ++i)
+            if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
+    }
+    if (system.sprung.cols() > 0) u += system.sprung * (system.sprung.transpose() * load);
     return u;
 }
 

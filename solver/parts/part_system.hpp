@@ -33,8 +33,8 @@ struct SupportRecord {
     std::string why;           ///< the method, in words
 };
 
-/// The fraction of the largest eigenvalue of the supports' Gram matrix, with rotations measured at the part's size, up to which
-/// a motion counts as free.
+/// The fraction of all weights of the supports' Gram matrix, with rotations measured at the part's size, up to which a motion
+/// counts as free.
 inline constexpr double rigid_mode_fraction = 1e-10;
 
 /// The unknown at which a factorisation ended.
@@ -70,6 +70,7 @@ struct PartSystem {
     int n_kept = 0;
     std::vector<RigidMotion> free_motions;  ///< 0 to 3 (around an axis 0 or 1), unit displacement at the part's size
     Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
+    Eigen::MatrixXd sprung;                 ///< (2n x some) w of on_springs.hpp; no columns: the factor is of all
     Factorization factor;
     std::string failure;                       ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;      ///< where the factorisation ended
@@ -86,8 +87,8 @@ struct PartSystem {
 /// Makes a part ready to be solved; what makes it unsolvable is told in `failure`. size: the length at which rotations are
 /// measured (the part's diagonal); center: about which they turn. The free motions are held by pinning as many coefficients:
 /// exact as long as the loads on the part balance, which the equilibrium rows of the contact problem see to. Springs hold a
-/// motion that they resist, however soft they are. applied: (2n) on the plain functions; weighted: the same loads on the
-/// weighted ones, with a structure only.
+/// motion that they resist, however soft they are (on_springs.hpp). applied: (2n) on the plain functions; weighted: the same
+/// loads on the weighted ones, with a structure only.
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
                             double size, std::vector<SpringSet> springs = {}, const Eigen::VectorXd& weighted = {});
 
@@ -106,9 +107,11 @@ Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<Rigi
 /// The product K u of the whole space (2n), nothing dropped.
 Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement);
 
-/// The right-hand side of the factorised matrix (n_kept) for a total load vector (2n), less what prescribed coefficients take
-/// of it.
-Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load);
+/// A total load vector (2n) less what prescribed coefficients take of it.
+Eigen::VectorXd load_beside_prescribed(const PartSystem& system, const Eigen::VectorXd& load);
+
+/// Its entries in the rows of the factorised matrix (n_kept).
+Eigen::VectorXd kept_entries(const PartSystem& system, const Eigen::VectorXd& load);
 
 /// The displacement (2n) under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped
 /// ones prescribed.

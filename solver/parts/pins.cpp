@@ -29,17 +29,26 @@ std::vector<char> corner_functions(const SplineSpace& space) {
     return is_corner;
 }
 
-}  // namespace
-
-std::vector<Index> pins(const PartSystem& s) {
-    Eigen::MatrixXd rest = s.modes;
+Eigen::VectorXd diagonal_of(const PartSystem& s) {
     Eigen::VectorXd diagonal(2 * s.n());
     for (int f = 0; f < s.n(); ++f)
         diagonal.segment<2>(2 * f) =
             s.stiffness.block[static_cast<std::size_t>(s.stiffness.first[static_cast<std::size_t>(f) + 1] - 1)].diagonal();
-    std::vector<double> sorted(diagonal.begin(), diagonal.end());
-    std::nth_element(sorted.begin(), sorted.begin() + diagonal.size() / 2, sorted.end());
-    const double least = pin_stiffness_fraction * sorted[sorted.size() / 2];
+    return diagonal;
+}
+
+double median_of(const Eigen::VectorXd& numbers) {
+    std::vector<double> sorted(numbers.begin(), numbers.end());
+    std::nth_element(sorted.begin(), sorted.begin() + numbers.size() / 2, sorted.end());
+    return sorted[sorted.size() / 2];
+}
+
+}  // namespace
+
+std::vector<Index> pins(const PartSystem& s, const Eigen::MatrixXd& motions) {
+    Eigen::MatrixXd rest = motions;
+    const Eigen::VectorXd diagonal = diagonal_of(s);
+    const double least = pin_stiffness_fraction * median_of(diagonal);
     const std::vector<char> is_corner = corner_functions(s.input.space);
     constexpr double of_corner = 1e-6;  // last choice: of splines of degree 1 there may be no others
     const auto size = [&](Index i) {
@@ -59,6 +68,10 @@ std::vector<Index> pins(const PartSystem& s) {
         rest -= (rest * pivot.transpose()) * pivot;
     }
     return chosen;
+}
+
+double median_stiffness(const PartSystem& s) {
+    return median_of(diagonal_of(s));
 }
 
 }  // namespace abut::solver

@@ -6,8 +6,11 @@
 
 namespace abut::solver {
 
-/// Chooses as many coefficients as a part has free motions so that holding them holds the motions: pivoted elimination on the
-/// modes' rows. Reads stiffness, modes and dropped.
-std::vector<Eigen::Index> pins(const PartSystem& system);
+/// Chooses as many coefficients of a part as there are motions (2n x motions) so that holding them holds the motions: pivoted
+/// elimination on their rows. Reads stiffness and dropped.
+std::vector<Eigen::Index> pins(const PartSystem& system, const Eigen::MatrixXd& motions);
+
+/// The stiffness of the material against a coefficient, the median of all.
+double median_stiffness(const PartSystem& system);
 
 }  // namespace abut::solver

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <map>
 
+#include "solver/parts/free_motions.hpp"
+#include "solver/parts/on_springs.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -77,24 +80,32 @@ bool is_consistent(const RigidBody& body) {
 }
 
 PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> conditions, Eigen::VectorXd applied,
-                             const Vec2& center, double size) {
+                             const Vec2& center, double size, std::vector<SpringSet> springs) {
     PartSystem s;
     s.input = std::move(input);
-    s.load = s.applied = std::move(applied);
-    s.held_load = Eigen::VectorXd::Zero(s.load.size());
+    s.springs = std::move(springs);
     RigidBody body{center, size, std::move(conditions)};
-    s.free_motions = s.input.axis ? split_motion_along_axis(body) : split_motions(body);
+    UnheldMotions unheld = split_by_springs(s.input.axis ? split_motion_along_axis(body) : split_motions(body), s.springs);
+    s.free_motions = std::move(unheld.free);
     s.prescribed = coefficients_of(s.input.space, prescribed_motion(body));
+    s.held_load = -springs_times(s, s.prescribed);
+    s.applied = std::move(applied);
+    s.load = s.applied + s.held_load;
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.number.assign(s.dropped.size(), -1);
     s.modes = coefficients_of(s.input.space, s.free_motions);
     s.body = std::make_shared<const RigidBody>(std::move(body));
+    s.sprung = sprung_motions(s, coefficients_of(s.input.space, unheld.on_springs));
     return s;
 }
 
-std::vector<TaggedResultant> rigid_reactions(const PartSystem& system, const Eigen::VectorXd& load) {
+Eigen::VectorXd forces_on(const PartSystem& system, const Eigen::VectorXd& displacement, const Eigen::VectorXd& load) {
+    return load - system.held_load - springs_times(system, displacement);
+}
+
+std::vector<TaggedResultant> rigid_reactions(const PartSystem& system, const Eigen::VectorXd& forces) {
     const RigidBody& body = *system.body;
-    const Resultant total = resultant_of(system.input.space, load);
+    const Resultant total = resultant_of(system.input.space, forces);
     const double moment = total.moment - (body.center.x() * total.force.y() - body.center.y() * total.force.x());
     const Eigen::Vector3d wrench(-total.force.x(), -total.force.y(), -moment / body.size);
     const Eigen::Vector3d share = body.held_inverse * wrench;

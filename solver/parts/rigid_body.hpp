@@ -35,17 +35,21 @@ struct RigidBody {
 bool is_consistent(const RigidBody& body);
 
 /// Makes a rigid part's system. input: a space that holds linear functions; of the rest its axis alone is read: a body around
-/// one moves along y only. applied: loads (2n). failure stays empty.
+/// one moves along y only. applied: loads (2n). Springs give way in motions that no condition holds. failure stays empty.
 PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> conditions, Eigen::VectorXd applied,
-                             const Vec2& center, double size);
+                             const Vec2& center, double size, std::vector<SpringSet> springs = {});
+
+/// The forces (2n) that act on a rigid part beside those of its conditions, for its displacement under a total load (2n,
+/// contact included): that load, and springs.
+Eigen::VectorXd forces_on(const PartSystem& system, const Eigen::VectorXd& displacement, const Eigen::VectorXd& load);
 
 /// The force and moment under a support's tag.
 struct TaggedResultant {
     int tag;
     Resultant force;
 };
-/// What each condition's support exerts, by tag, for the total load (2n, contact included). More conditions than motions share
-/// as equally stiff points would: rigid bodies leave that open.
-std::vector<TaggedResultant> rigid_reactions(const PartSystem& system, const Eigen::VectorXd& load);
+/// What each condition's support exerts, by tag, against such forces. More conditions than motions share as equally stiff
+/// points would: rigid bodies leave that open.
+std::vector<TaggedResultant> rigid_reactions(const PartSystem& system, const Eigen::VectorXd& forces);
 
 }  // namespace abut::solver

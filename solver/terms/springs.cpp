@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/terms/springs.hpp"
 
+#include "src/base/ensure.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -36,6 +38,21 @@ void add_springs(const PartInput& input, const SpringSet& set, BlockMatrix& stif
                     stiffness.at(functions[i], functions[j]) += row.asDiagonal() * k * values(j).asDiagonal();
         }
     }
+}
+
+Eigen::VectorXd spring_load(const PartInput& input, const SpringSet& set, const Eigen::VectorXd& displacement) {
+    ENSURE(!input.structure, "forces of springs are on plain functions");
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(displacement.size());
+    for (const SpringPoint& p : set.points) {
+        const PointBasis basis = evaluate(input.space, p.element, p.x);
+        Vec2 u = Vec2::Zero();
+        for (std::size_t i = 0; i < basis.functions.size(); ++i)
+            u += basis.value[static_cast<Index>(i)] * displacement.segment<2>(2 * basis.functions[i]);
+        const Vec2 force = p.weight * input.thickness * spring_traction(set, p, u);
+        for (std::size_t i = 0; i < basis.functions.size(); ++i)
+            load.segment<2>(2 * basis.functions[i]) += basis.value[static_cast<Index>(i)] * force;
+    }
+    return load;
 }
 
 SpringAnswer spring_answer(const PartInput& input, const SpringSet& set, const Eigen::VectorXd& displacement) {

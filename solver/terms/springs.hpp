@@ -28,6 +28,9 @@ Vec2 spring_traction(const SpringSet& set, const SpringPoint& p, const Vec2& dis
 /// Adds a foundation to the stiffness, and to the load what it does with the displacement that a structure prescribes.
 void add_springs(const PartInput& input, const SpringSet& set, BlockMatrix& stiffness, Eigen::VectorXd& load);
 
+/// The force (2n) of the foundation on the part's functions for a displacement; not with a structure.
+Eigen::VectorXd spring_load(const PartInput& input, const SpringSet& set, const Eigen::VectorXd& displacement);
+
 /// The resultant of the foundation on the part, and the energy that it stores.
 struct SpringAnswer {
     Resultant force;

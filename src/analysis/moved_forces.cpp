@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/analysis/face_motion.hpp"
 #include "src/base/index.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/contact_states.hpp"
@@ -128,22 +129,33 @@ bool join_at_corner(const SolvedAssembly& solved, const StretchForce& other, Str
     return true;
 }
 
-}  // namespace
-
-std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
-                                     const std::vector<solver::RigidMotion>& motions) {
+/// motion: of a contact's side.
+template <class MotionOf>
+std::vector<MovedForce> moved_by(const Scene& scene, const SolvedAssembly& solved, const MotionOf& motion) {
     std::vector<StretchForce> forces;
     for (const StretchForce& f : stretch_forces(scene, solved))
         if (std::none_of(forces.begin(), forces.end(), [&](StretchForce& to) { return join_at_corner(solved, f, to); }))
             forces.push_back(f);
     std::vector<MovedForce> lines;
     for (const StretchForce& f : forces) {
-        const ContactInterface& c = solved.contacts[f.contact];
-        lines.push_back(moved_force(c, f.pair, f.force, f.pressing, motions[at(c.face.part[0])], motions[at(c.face.part[1])],
-                                    f.has_friction));
+        lines.push_back(moved_force(solved.contacts[f.contact], f.pair, f.force, f.pressing, motion(f.contact, 0),
+                                    motion(f.contact, 1), f.has_friction));
         lines.back().contact = f.contact;
     }
     return lines;
+}
+
+}  // namespace
+
+std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
+                                     const std::vector<solver::RigidMotion>& motions) {
+    return moved_by(scene, solved, [&](std::size_t contact, std::size_t side) {
+        return motions[at(solved.contacts[contact].face.part[side])];
+    });
+}
+
+std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved) {
+    return moved_by(scene, solved, [&](std::size_t contact, std::size_t side) { return face_motion(solved, contact, side); });
 }
 
 }  // namespace abut

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where contacts' forces act, and along which lines, once parts have moved as rigid bodies.
+// Where contacts' forces act, and along which lines, once parts have moved.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -31,5 +31,7 @@ struct MovedForce {
 /// motions: of all parts that are solved, in their order (SolvedAssembly::grids), in assembly coordinates.
 std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
                                      const std::vector<solver::RigidMotion>& motions);
+/// The same where each face moves as it does in the solution (face_motion.hpp).
+std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-#include "src/analysis/placement.hpp"
+#include "src/analysis/placed_pairs.hpp"
 #include "src/base/index.hpp"
 #include "src/solution/contact_measures.hpp"
 
@@ -41,29 +41,19 @@ double curvature_of(const Stretch& g, const std::array<double, 2>& halves) {
     return 2 * (opened(g[0]) / halves[0] + opened(g[2]) / halves[1]) / (halves[0] + halves[1]);
 }
 
-struct MovedPart {
-    solver::RigidMotion motion;
-    geometry::Part there;
-};
-
 /// What the pairs as drawn have too much, beside those where the parts have moved to: length of the middle curve, relative, and
 /// curvature of the gap. None where pairs are not found.
 struct Excess {
     double length = 0, curvature = 0;
 };
-Excess excess_of(const Scene& scene, const ContactInterface& c, const PressedStretch& stretch,
-                 const std::array<const MovedPart*, 2>& part) {
+Excess excess_of(const Scene& scene, const ContactInterface& c, const PressedStretch& stretch, const PlacedFaces& faces) {
     Stretch drawn, moved;
     for (std::size_t k = 0; k < 3; ++k) {
         const geometry::FacingPair p =
             pair_at(scene, c, stretch.begin + 0.5 * static_cast<double>(k) * (stretch.end - stretch.begin));
-        if (!p.found) return {};
-        const Vec2 by = part[1]->motion.at(p.on2.x) - part[0]->motion.at(p.on1.x);
-        drawn[k] = {0.5 * (p.on1.x + p.on2.x), p.normal, p.gap + by.dot(p.normal)};
-        // the same stretch of the rounder face
-        const geometry::FacingPair q = std::abs(p.on1.curvature) >= std::abs(p.on2.curvature)
-                                           ? geometry::pair_from_first(part[0]->there, part[1]->there, c.zone, p.s1, p.s2)
-                                           : geometry::pair_from_second(part[0]->there, part[1]->there, c.zone, p.s2, p.s1);
+        if (!p.found || (p.on1.curvature == 0 && p.on2.curvature == 0)) return {};  // flat faces stay so
+        drawn[k] = {0.5 * (p.on1.x + p.on2.x), p.normal, p.gap + opening(faces, p)};
+        const geometry::FacingPair q = placed_pair(c, faces, p);
         if (!q.found) return {};
         moved[k] = {0.5 * (q.on1.x + q.on2.x), q.normal, q.gap};
     }
@@ -74,22 +64,15 @@ Excess excess_of(const Scene& scene, const ContactInterface& c, const PressedStr
 }  // namespace
 
 std::vector<double> moved_pair_errors(const Scene& scene, const SolvedAssembly& solved) {
-    std::vector<MovedPart> parts;
-    for (std::size_t i = 0; i < solved.grids.size(); ++i) {
-        const solver::RigidMotion m = rigid_motion_of(solved, i);
-        const Placement p = about_center(m.center, m.translation, m.rotation);
-        const Vec2 turned = p.turned({1, 0});
-        parts.push_back(
-            {m, geometry::transformed(scene.parts[at(solved.grids[i].part)].part, turned.x(), turned.y(), p.shift)});
-    }
     std::vector<double> errors(solved.contacts.size(), 0.0);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& c = solved.contacts[k];
         if (solved.stretches[k].empty() || c.face.bilateral || c.pairing != Pairing::middle) continue;
         const double compliance = compliance_of(solved, k), largest = pressure_of(solved, k).maxCoeff();
         if (compliance == 0) continue;
+        const PlacedFaces faces = placed_faces(scene, solved, k);
         for (const PressedStretch& stretch : solved.stretches[k]) {
-            const Excess more = excess_of(scene, c, stretch, {&parts[at(c.face.part[0])], &parts[at(c.face.part[1])]});
+            const Excess more = excess_of(scene, c, stretch, faces);
             const double half = 0.5 * (stretch.end - stretch.begin),
                          error = std::abs(half * more.curvature / (4 * compliance * largest) - more.length);
             if (std::isfinite(error)) errors[k] = std::max(errors[k], error);

@@ -23,6 +23,7 @@
 #include "solver/terms/finite_motion.hpp"
 #include "src/analysis/motions_at_limit.hpp"
 #include "src/analysis/moved_forces.hpp"
+#include "src/analysis/placed_pairs.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/analysis/second_order_loads.hpp"
 #include "src/base/index.hpp"
@@ -45,6 +46,8 @@ constexpr double least_displacement = 0.01;
 constexpr double least_share = 0.05;
 /// Wrenches that turn or go along with parts, of the largest force, below which none is looked at further.
 constexpr double noted_wrench = 1e-4;
+/// Gaps that motions along normals leave out, of the largest motion, below which none is looked at further.
+constexpr double noted_gap = 1e-3;
 /// A column's share of its least buckling load, and a bending in thicknesses, below which none is looked at further.
 constexpr double noted_column = 0.02, noted_bending = 0.15;
 /// A column's share of that load from which on it is pushed aside: one, but for how roughly shapes are known.
@@ -108,18 +111,27 @@ bool is_neutral(const SolvedAssembly& solved, std::size_t i) {
     return std::any_of(solved.solution.neutral.begin(), solved.solution.neutral.end(), is_own);
 }
 
+double largest_motion(const SolvedAssembly& solved, std::size_t contact) {
+    double largest = 0;
+    for (const int part : solved.contacts[contact].face.part)
+        largest = std::max(largest, solved.solution.displacement[at(part)].lpNorm<Eigen::Infinity>());
+    return largest;
+}
+
 /// May forces that are balanced where parts have moved and bent to change the answer?
-bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved) {
-    const std::vector<Wrench> changes = wrenches_as_contacts_move(scene, solved);
-    const double largest = largest_force(solved);
-    for (std::size_t i = 0; i < solved.grids.size(); ++i) {
-        if (bends_far(solved, i) || column_share(solved, i) > noted_column) return true;
-        if (is_neutral(solved, i)) continue;
-        const Wrench& w = changes[i];
-        const double moment = std::abs(w.moment) + std::abs(moment_as_part_turns(solved, i));
-        if (std::max(w.force.norm(), moment / solved.grids[i].size) > noted_wrench * largest) return true;
-    }
-    return false;
+bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved, const std::vector<double>& gaps) {
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+        if (std::abs(gaps[k]) > noted_gap * largest_motion(solved, k)) return true;
+    const double noted = noted_wrench * largest_force(solved);
+    for (std::size_t i = 0; i < solved.grids.size(); ++i)
+        if (bends_far(solved, i) || column_share(solved, i) > noted_column ||
+            (!is_neutral(solved, i) && std::abs(moment_as_part_turns(solved, i)) > noted * solved.grids[i].size))
+            return true;
+    const std::vector<ContactChange> changes = changes_as_contacts_move(scene, solved);
+    return std::any_of(changes.begin(), changes.end(), [&](const ContactChange& change) {
+        return !is_neutral(solved, change.part) &&
+               std::max(change.force.norm(), std::abs(change.moment) / solved.grids[change.part].size) > noted;
+    });
 }
 
 /// The largest mean strain of a part, by its energy.
@@ -209,12 +221,12 @@ std::optional<double> growth_of_bending(const Scene& scene, const SolvedAssembly
     const Vec2 aside = push * largest_force(solved) * axes_of(solved.grids[i]).eigenvectors().col(0);
     std::vector<VectorXd> more;
     for (const solver::PartSystem& part : solved.problem.parts) more.push_back(VectorXd::Zero(part.load.size()));
-    more[i] = load_of(solved.grids[i], {aside, 0});
-    const SolvedAssembly pushed = solved_under(solved, more, threads);
+    more[i] = even_load(solved.grids[i], aside);
+    const SolvedAssembly pushed = solved_under(solved, more, {}, threads);
     if (!has_answer(pushed)) return std::nullopt;
     const std::vector<VectorXd> before = second_order_loads(scene, solved), after = second_order_loads(scene, pushed);
     for (std::size_t k = 0; k < more.size(); ++k) more[k] += after[k] - before[k];
-    const SolvedAssembly grown = solved_under(solved, more, threads);
+    const SolvedAssembly grown = solved_under(solved, more, {}, threads);
     if (!has_answer(grown)) return std::nullopt;
     const VectorXd bending = pushed.solution.displacement[i] - solved.solution.displacement[i],
                    growth = grown.solution.displacement[i] - pushed.solution.displacement[i];
@@ -245,20 +257,33 @@ void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAsse
     tell(std::move(findings), "displacement", result);
 }
 
-/// By stretches under pressure: two faces of a corner that press one place are one, whichever of them bears how much.
+/// By stretches under pressure: two faces of a corner that press one place are one, whichever of them bears how much; and by
+/// parts, on which forces that turn add up to others.
 void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, double noted, Result& result) {
-    const std::vector<solver::RigidMotion> none(out.solved.grids.size());
-    const std::vector<MovedForce> before = moved_forces(scene, out.solved, none), after = moved_forces(scene, moved, none);
+    const std::vector<MovedForce> before = moved_forces(scene, out.solved), after = moved_forces(scene, moved);
     const double largest = largest_force(out.solved);
     std::map<std::string, Finding> findings;  // a contact may press in several stretches
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        const double share = (after[k].force - before[k].force).norm() / largest;
-        if (share <= noted) continue;
-        const std::string contact = "contact " + contact_number(before[k].contact);
-        const std::string text = "the force of " + contact + " changes by about " + percent_text(share) +
+    const auto note = [&](double change, const std::string& who, const std::string& changes) {
+        if (change <= noted * largest) return;
+        const std::string text = changes + " by about " + percent_text(change / largest) +
                                  " of the largest one once forces are balanced where parts have moved and bent to";
-        Finding& worst = findings[contact];
-        if (share > worst.measure) worst = {share, contact, text + ", which the answer leaves out", text};
+        Finding& worst = findings[who];
+        if (change > worst.measure) worst = {change, who, text + ", which the answer leaves out", text};
+    };
+    std::vector<Vec2> was(out.solved.grids.size(), Vec2(0, 0)), is = was;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const std::string contact = "contact " + contact_number(before[k].contact);
+        note((after[k].force - before[k].force).norm(), contact, "the force of " + contact + " changes");
+        const solver::Interface& face = out.solved.contacts[before[k].contact].face;
+        for (const std::size_t side : {0U, 1U}) {
+            const double sign = side == 0 ? 1 : -1;
+            was[at(face.part[side])] += sign * before[k].force;
+            is[at(face.part[side])] += sign * (before[k].any_direction ? after[k].force : after[k].turned);
+        }
+    }
+    for (std::size_t i = 0; i < was.size(); ++i) {
+        const std::string part = "part " + scene.parts[at(out.solved.grids[i].part)].name;
+        note(std::abs(is[i].norm() - was[i].norm()), part, "the forces of contacts on " + part + " change");
     }
     tell(values_of(findings), "turned_force", result);
 }
@@ -269,8 +294,10 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
     const SolvedAssembly& solved = out.solved;
     const auto has_structure = [](const solver::PartSystem& p) { return p.input.structure != nullptr; };
     if (std::any_of(solved.problem.parts.begin(), solved.problem.parts.end(), has_structure)) return;
-    if (largest_force(solved) == 0 || !calls_for_second_order(scene, solved)) return;
-    const SolvedAssembly moved = solved_under(solved, second_order_loads(scene, solved), threads);
+    if (largest_force(solved) == 0) return;
+    const std::vector<double> gaps = gaps_left_out(scene, solved);
+    if (!calls_for_second_order(scene, solved, gaps)) return;
+    const SolvedAssembly moved = solved_under(solved, second_order_loads(scene, solved), gaps, threads);
     if (!has_answer(moved)) {
         tell({{0, "",
                "what forces that are balanced where parts have moved and bent to would change is not known: no answer was "

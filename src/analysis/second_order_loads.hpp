@@ -7,21 +7,20 @@
 
 namespace abut {
 
-/// A force, and its moment about a part's centre, in the part's frame.
-struct Wrench {
-    Vec2 force{0, 0};
+/// What a contact's force does more on one of its parts as the contact moves away from the part's points there and turns with
+/// its normal: a force, and a moment about `at`, in assembly coordinates.
+struct ContactChange {
+    std::size_t contact, side, part;
+    Vec2 at, force{0, 0};
     double moment = 0;
 };
+std::vector<ContactChange> changes_as_contacts_move(const Scene& scene, const SolvedAssembly& solved);
 
-/// The load (2n) that works in rigid motions what the wrench does, evenly over the part's functions.
-Eigen::VectorXd load_of(const PartOnGrid& grid, const Wrench& wrench);
+/// The load (2n) of a force, in a part's frame, evenly over its functions.
+Eigen::VectorXd even_load(const PartOnGrid& grid, const Vec2& force);
 
 /// Do edges that supports hold keep the part where it is? How it gives way there is strain.
 bool is_held_by_edges(const SolvedAssembly& solved, std::size_t part);
-
-/// Finds what contacts' forces do more on each part as they move away from its points and turn with their normals. Parts are
-/// taken as rigid; those that edges hold stay, since how they give way is strain.
-std::vector<Wrench> wrenches_as_contacts_move(const Scene& scene, const SolvedAssembly& solved);
 
 /// The moment that loads which keep their directions, contacts' included, have more on a part that turns.
 double moment_as_part_turns(const SolvedAssembly& solved, std::size_t part);
@@ -31,7 +30,9 @@ double moment_as_part_turns(const SolvedAssembly& solved, std::size_t part);
 /// share. Not with a solution structure.
 std::vector<Eigen::VectorXd> second_order_loads(const Scene& scene, const SolvedAssembly& solved);
 
-/// The assembly under further loads (2n, by part), by the same rows and factors.
-SolvedAssembly solved_under(const SolvedAssembly& solved, const std::vector<Eigen::VectorXd>& more, int threads);
+/// The assembly under further loads (2n, by part), with its contacts farther apart by some gaps (by contact, or none), by the
+/// same rows and factors.
+SolvedAssembly solved_under(const SolvedAssembly& solved, const std::vector<Eigen::VectorXd>& more,
+                            const std::vector<double>& gaps, int threads);
 
 }  // namespace abut

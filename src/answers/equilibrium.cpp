@@ -102,17 +102,31 @@ Eigen::VectorXd plain_load(const SolvedAssembly& solved, std::size_t part) {
     return solver::boundary_load(grid.input, points);
 }
 
+void add_springs(const SolvedAssembly& solved, std::size_t part, const Vec2& about, Totals& t) {
+    const solver::PartSystem& system = solved.problem.parts[part];
+    for (const solver::SpringSet& set : system.springs) {
+        const solver::SpringAnswer answer = solver::spring_answer(system.input, set, solved.solution.displacement[part]);
+        Reaction& r = t.reactions[set.tag];
+        add(r, to_assembly(answer.force, solved.grids[part].frame, about));
+        r.method = "spring";
+        r.why = "a spring is no constraint: its stiffness is part of the system";
+        r.energy = r.energy.value_or(0) + answer.energy;
+    }
+}
+
 void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Vec2& about, Totals& t) {
     const solver::PartSystem& system = solved.problem.parts[part];
     const Frame& frame = solved.grids[part].frame;
     const Eigen::VectorXd& u = solved.solution.displacement[part];
     if (system.body) {
-        for (const auto& [tag, force] : solver::rigid_reactions(system, solved.solution.load[part])) {
+        const Eigen::VectorXd forces = solver::forces_on(system, u, solved.solution.load[part]);
+        for (const auto& [tag, force] : solver::rigid_reactions(system, forces)) {
             Reaction& r = t.reactions[tag];
             add(r, to_assembly(force, frame, about));
             add_words(r.method, "rigid", ", ");
             add_words(r.why, "the part is rigid: its supports balance its loads, shared as equally stiff points would", "; ");
         }
+        add_springs(solved, part, about, t);
         return;
     }
     const Eigen::VectorXd plain = system.input.structure ? plain_load(solved, part) : Eigen::VectorXd();
@@ -128,14 +142,7 @@ void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Ve
         const Resultant stress = to_assembly(solver::traction_resultant(system.input, record.set, u), frame, about);
         r.force_from_stress = r.force_from_stress.value_or(Vec2(0, 0)) + stress.force;
     }
-    for (const solver::SpringSet& set : system.springs) {
-        const solver::SpringAnswer answer = solver::spring_answer(system.input, set, u);
-        Reaction& r = t.reactions[set.tag];
-        add(r, to_assembly(answer.force, frame, about));
-        r.method = "spring";
-        r.why = "a spring is no constraint: its stiffness is part of the system";
-        r.energy = r.energy.value_or(0) + answer.energy;
-    }
+    add_springs(solved, part, about, t);
 }
 
 Totals totals(const Scene& scene, const SolvedAssembly& solved, const Vec2& about) {

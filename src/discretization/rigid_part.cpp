@@ -6,6 +6,7 @@
 #include "src/base/index.hpp"
 #include "src/discretization/around_axis.hpp"
 #include "src/discretization/boundary_points.hpp"
+#include "src/discretization/support_sets.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/support_components.hpp"
 
@@ -62,15 +63,6 @@ void append_points(const Support& s, int tag, const PartOnGrid& g, std::vector<M
                     solver::held_point(tag, g.frame.to_local(p), g.center, g.frame.vector_to_local(Vec2::Unit(c)), 0, g.size));
 }
 
-void refuse_springs(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
-    for (std::size_t i = 0; i < scene.supports.size(); ++i)
-        for (const EdgePortion& p : conditions.supports[i])
-            if (scene.supports[i].kind == Support::Kind::spring && p.part == g.part)
-                throw InputError(scene.supports[i].where,
-                                 "part " + scene.parts[at(g.part)].name + " is rigid, and rests on springs",
-                                 "springs need an elastic part: give it a material of its own");
-}
-
 }  // namespace
 
 PartOnGrid put_rigid_part(const Scene& scene, int part) {
@@ -106,7 +98,6 @@ solver::PartSystem rigid_system(const Scene& scene, const ResolvedConditions& co
                                 const PartLoad& load) {
     ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     ENSURE(g.is_rigid, "a rigid part is asked for");
-    refuse_springs(scene, conditions, g);
     std::vector<MotionCondition> held;
     int last = 0;
     for (std::size_t i = 0; i < scene.supports.size(); ++i) {
@@ -120,7 +111,8 @@ solver::PartSystem rigid_system(const Scene& scene, const ResolvedConditions& co
         }
         if (held.size() > before) last = tag;
     }
-    solver::PartSystem system = solver::make_rigid_system(g.input, std::move(held), load.vector, g.center, g.size);
+    solver::PartSystem system =
+        solver::make_rigid_system(g.input, std::move(held), load.vector, g.center, g.size, spring_sets(scene, conditions, g));
     if (!is_consistent(*system.body))
         throw InputError(scene.supports[at(last)].where,
                          "the supports of the rigid part " + scene.parts[at(g.part)].name +

@@ -9,8 +9,8 @@ namespace abut {
 /// Puts a rigid part into few large cells of bilinear functions, which are there to integrate loads and to hold its motions.
 PartOnGrid put_rigid_part(const Scene& scene, int part);
 
-/// Makes a rigid part's system, its supports as conditions on its motion. Throws InputError for springs, and for displacements
-/// that no motion meets.
+/// Makes a rigid part's system, its supports as conditions on its motion. Throws InputError for displacements that no motion
+/// meets.
 solver::PartSystem rigid_system(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid,
                                 const PartLoad& load);
 

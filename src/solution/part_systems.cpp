@@ -93,12 +93,12 @@ std::string loose_piece(const Scene& scene, const ResolvedConditions& conditions
 /// What the system's own code spent on its effects.
 EffectUses uses_of(const solver::PartSystem& system) {
     EffectUses uses;
-    if (system.body) return uses;
     const auto& s = system.seconds;
-    uses["elasticity"] = {s.all - s.springs - s.dilatation, 2L * system.n()};
     long points = 0;
     for (const solver::SpringSet& set : system.springs) points += static_cast<long>(set.points.size());
     if (points > 0) uses["springs"] = {s.springs, points};
+    if (system.body) return uses;
+    uses["elasticity"] = {s.all - s.springs - s.dilatation, 2L * system.n()};
     if (system.input.dilatation) uses["incompressibility"] = {s.dilatation, system.input.dilatation->space.n_functions};
     return uses;
 }

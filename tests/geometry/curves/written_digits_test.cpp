@@ -15,6 +15,12 @@ TEST(WrittenDigits, TheLastDecimalIsThatOfAllNumbers) {
     EXPECT_DOUBLE_EQ(last_digit({123456.789012}), 1e-6);
     EXPECT_EQ(last_digit({2.5, std::sqrt(2.0)}), 0);
     EXPECT_EQ(last_digit({}), 0);
+    std::vector<double> rounded(40, 1.125);
+    rounded.insert(rounded.end(), {std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0), std::sqrt(7.0)});  // a line besides
+    EXPECT_DOUBLE_EQ(last_digit(rounded), 1e-3);
+    rounded.resize(20);
+    rounded.insert(rounded.end(), {std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0), std::sqrt(7.0)});
+    EXPECT_EQ(last_digit(rounded), 0);
 }
 
 TEST(WrittenDigits, RoundingIsKnownFromMoreDigitsThanSizesHave) {

@@ -82,6 +82,58 @@ TEST(SketchDrafting, BalloonsGoWithTheirLeaders) {
     EXPECT_EQ(roller.parts.size(), 3u);
 }
 
+TEST(SketchDrafting, ADiscWithItsNumberIsADisc) {
+    EXPECT_EQ(parts_with({drawn_circle({0, 0}, 10, "disc")}, {{"1", {-1, -1}, 3}}).parts.size(), 1u);
+    // a roller just above its rail
+    for (const double gap : {0.02, 0.4}) {
+        const SketchParts sketch =
+            parts_with(blocks + Entities{drawn_circle({20, 45 + gap}, 5, "roller")}, {{"1", {19, 44}, 3}});
+        EXPECT_EQ(sketch.parts.size(), 3u) << gap;
+    }
+}
+
+/// Boxes with parts in them: with a note, with the proportions of paper, with walls as wide as margins.
+TEST(SketchDrafting, WhatPartsRestOnOrFitIntoIsNoFrame) {
+    const auto box = [](double wall) {
+        return drawn_rectangle({0, 0}, {120, 85}, "o") + drawn_rectangle({wall, wall}, {120 - wall, 85 - wall}, "i");
+    };
+    const std::vector<DrawnText> note{{"S355", {60, 40}, 3}};
+    const Entities rollers{drawn_circle({30, 14}, 10, "r"), drawn_circle({80, 14}, 10, "s")};
+    EXPECT_EQ(parts_with(box(4) + rollers, note).parts.size(), 3u);
+    EXPECT_EQ(parts_with(box(4) + drawn_rectangle({4.5, 20}, {115.5, 60}, "slider"), note).parts.size(), 2u);
+    EXPECT_EQ(
+        parts_with(box(4) + drawn_rectangle({20, 20}, {60, 60}, "a") + drawn_rectangle({70, 20}, {90, 60}, "b")).parts.size(),
+        3u)
+        << "nothing is written on it";
+    // a tube on a plate, with a roller in it
+    EXPECT_EQ(parts_with(box(4) + drawn_rectangle({-20, -20}, {140, 0}, "base") + Entities{rollers[0]}, note).parts.size(), 3u);
+}
+
+TEST(SketchDrafting, APlateWithANoteIsNoSheet) {
+    const std::vector<DrawnText> note{{"t = 10", {10, 5}, 3}};
+    const Entities holes{drawn_circle({50, 50}, 10, "h"), drawn_circle({150, 50}, 10, "k")};
+    const SketchParts plate = parts_with(drawn_rectangle({0, 0}, {297, 210}, "p") + holes, note);
+    ASSERT_EQ(plate.parts.size(), 1u);
+    EXPECT_EQ(count_holes(plate.parts[0]), 2);
+    // a window on the plate's own layer; on another one it is what a sheet shows
+    for (const std::string layer : {"PLATE", "OTHER"}) {
+        const SketchParts sketch = parts_with(
+            drawn_rectangle({0, 0}, {297, 210}, "p", "PLATE") + drawn_rectangle({50, 50}, {100, 80}, "w", layer), note);
+        ASSERT_EQ(sketch.parts.size(), 1u);
+        EXPECT_NEAR(sorted_areas(sketch)[0], layer == "PLATE" ? 297 * 210 - 1500 : 1500, 1e-9);
+    }
+}
+
+TEST(SketchDrafting, PartsOnTheirLayersAreNoTable) {
+    for (const bool are_named : {true, false}) {
+        const std::string upper = are_named ? "UPPER" : "LOWER";
+        const SketchParts sketch =
+            parts_with(drawn_rectangle({0, 0}, {40, 20}, "a", "LOWER") + drawn_rectangle({0, 20}, {40, 40}, "b", upper),
+                       {{"LOWER", {10, 10}, 3}, {"UPPER", {10, 30}, 3}});
+        EXPECT_EQ(sketch.parts.size(), are_named ? 2u : 0u);
+    }
+}
+
 TEST(SketchDrafting, OutlinesThatNearlyCloseAreFaults) {
     Entities square = drawn_rectangle({0, 0}, {100, 100}, "a");
     square[3] = drawn_line({0, 100}, {0, 3.9}, "a3");  // of 396 less than 1 %

@@ -58,6 +58,20 @@ TEST(HeldContacts, ASupportOnAContactIsAWarning) {
     EXPECT_TRUE(held(R"({"on": {"part": "base", "box": [[-9, -1], [-2, 1]]}, "fix": ["y"]}, )" + glide).empty());
 }
 
+/// A cam lifts a follower, guided by its motion, against a spring: no load acts, and no force is along the guide.
+TEST(HeldContacts, DisplacementsAloneDriveACamAndItsFollower) {
+    const Result r =
+        analyze(scene_of(R"({"name": "cam", "material": "rigid", "geometry": {"circle": {"center": [0, 0], "radius": 30}}},)" +
+                             block("follower", "[-20, 30]", "[20, 36]"),
+                         R"(, "supports": [{"part": "cam", "rigid": {"translation": [0, 0.5], "rotation": 0}},
+                     {"on": "follower/top", "spring": {"normal": 2}},
+                     {"part": "follower", "rigid": {"translation": [0, null], "rotation": 0}}], "thickness": 10)"),
+                {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_NEAR(r.contacts.at(0).force.norm(), 2 * 40 * 10 * 0.5, 6);  // less what the follower gives way
+    EXPECT_NEAR((r.reactions.at(0).force + r.reactions.at(1).force).norm(), 0, 1e-9);
+}
+
 TEST(UnpairedTouches, ASharpCornerOnAFaceIsAWarning) {
     const std::string wedge = part("b", R"({"polygon": [[0, 0], [0.3, 1], [-0.3, 1]]})");
     const Scene scene = scene_of(base + "," + wedge, R"(, "supports": [{"on": "base/bottom", "fix": ["x", "y"]},

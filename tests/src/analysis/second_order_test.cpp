@@ -147,6 +147,55 @@ TEST(SecondOrder, ADiscThatIsTurnedStaysAsLargeAsItIs) {
     })) << told(r);
 }
 
+/// How much of something is said to change, in percent; 0: nothing.
+double told_of(const Result& r, const std::string& what) {
+    for (const std::string& w : r.warnings)
+        if (const std::size_t begin = w.find(what + " change"); begin != std::string::npos) return percents(w.substr(begin));
+    return 0;
+}
+
+/// A plunger between the round noses of two arms of one part, whose motions cancel out in the mean: it spreads them along
+/// (a + u)^2 + h^2 = (R + r)^2, and its force turns.
+TEST(SecondOrder, ArmsThatAPlungerSpreads) {
+    const double a = 15 * std::cos(M_PI / 6), before = 7.5, u_linear = before / a;
+    const std::string x = std::to_string(a), in = std::to_string(a - 2), out = std::to_string(a + 2);
+    const auto arm = [&](const std::string& left, const std::string& right, const std::string& nose) {
+        return R"({"rectangle": {"min": [)" + left + R"(, -120], "max": [)" + right + R"(, 0]}}, {"circle": {"center": [)" +
+               nose + R"(, 0], "radius": 5}}, )";
+    };
+    const Result r =
+        analyzed(R"("parts": [{"name": "arms", "material": "steel", "geometry": {"union": [)" + arm(in, out, x) +
+                 arm("-" + out, "-" + in, "-" + x) + R"({"rectangle": {"min": [-)" + out + R"(, -140], "max": [)" + out +
+                 R"(, -120]}}]}},
+        {"name": "plunger", "material": "rigid", "geometry": {"circle": {"center": [0, 7.5], "radius": 10}}}],
+        "supports": [{"on": {"part": "arms", "near": [0, -140]}, "fix": ["x", "y"]},
+                     {"part": "plunger", "rigid": {"translation": [0, -1], "rotation": 0}}])");
+    const double now = before - 1, u = std::sqrt(15 * 15 - now * now) - a;
+    EXPECT_NEAR(told_of(r, "displacements of part arms"), 100 * (1 - u / u_linear), 1);
+    // along the plunger, of the force of one nose
+    const double along = 2 * u * now / (a + u), along_linear = 2 * u_linear * before / a,
+                 largest = u_linear / std::cos(M_PI / 6);
+    EXPECT_NEAR(told_of(r, "contacts on part arms"), 100 * (along_linear - along) / largest, 3);
+}
+
+/// Round faces that slide along each other open by s^2 / 2 (R1 + R2): against the disc drawn where it is led to.
+TEST(SecondOrder, RoundOverRound) {
+    const auto force = [](const Vec2& drawn, const Vec2& led) {
+        const auto text = [](const Vec2& v) { return std::to_string(v.x()) + ", " + std::to_string(v.y()); };
+        return analyzed(
+            R"("parts": [{"name": "lower", "material": "steel", "geometry": {"circle": {"center": [0, -20], "radius": 20}}},
+            {"name": "upper", "material": "steel", "geometry": {"circle": {"center": [)" +
+            text(drawn) + R"(], "radius": 20}}}],
+            "supports": [{"part": "lower", "rigid": {"translation": [0, 0], "rotation": 0}},
+                         {"part": "upper", "rigid": {"translation": [)" +
+            text(led) + R"(], "rotation": 0}}])");
+    };
+    const Result there = force({0.3, 20 - 0.001125}, {0, -0.000875}), led = force({0, 20}, {0.3, -0.002});
+    const double right = there.contacts.at(0).force.norm(), by_normals = led.contacts.at(0).force.norm();
+    EXPECT_NEAR(std::max(told_of(led, "contacts on part lower"), told_of(led, "the force of contact 1")),
+                100 * (1 - right / by_normals), 3);
+}
+
 TEST(SecondOrder, HalfModelsAndStiffPartsCallForNothing) {
     for (const char* name : {"case_b", "pin_bracket", "clevis", "vise"}) {
         const Result r = analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/data/scenes/" + name + ".json"), {});

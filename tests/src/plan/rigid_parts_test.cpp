@@ -153,9 +153,44 @@ TEST(RigidParts, SayWhatTheyCannotDo) {
     EXPECT_NE(first_problem({.hold = R"({"on": "punch/top", "displacement": {"y": "-0.001*x^2"}})"})
                   .find("/supports/1 the supports of the rigid part punch prescribe displacements that no rigid motion has"),
               std::string::npos);
-    EXPECT_NE(first_problem({.hold = R"({"on": "punch/top", "spring": {"normal": 10, "tangential": 0}})"})
-                  .find("/supports/1 part punch is rigid, and rests on springs"),
-              std::string::npos);
+}
+
+/// A bar on an even bed of springs sinks, slides and turns; the load acts beside it.
+TEST(RigidParts, RestOnSprings) {
+    const Result r = answer(
+        {.hold = R"({"on": "punch/left", "symmetry": true}, {"on": "bar/bottom", "spring": {"normal": 50, "tangential": 20}})",
+         .load = R"({"on": "punch/top", "pressure": 10}, {"on": "bar/top", "force": [3, -10], "at": [12, 2]})",
+         .more_parts =
+             R"(, {"name": "bar", "material": "rigid", "geometry": {"rectangle": {"min": [10, 0], "max": [20, 1]}}})"});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    const auto bar =
+        std::find_if(r.reactions.begin(), r.reactions.end(), [](const Reaction& x) { return x.method == "spring"; });
+    ASSERT_NE(bar, r.reactions.end());
+    EXPECT_NEAR(bar->force.x(), -3, 1e-11);
+    EXPECT_NEAR(bar->force.y(), 10, 1e-11);
+    const double slid = 3.0 / 200, sunk = -10.0 / 500, turned = (3 * 10 - 2 * 3) / (50 * 1000.0 / 12);
+    ASSERT_TRUE(bar->energy.has_value());
+    EXPECT_NEAR(*bar->energy, 0.5 * (3 * slid - 10 * sunk + 24 * turned), 1e-11);
+    EXPECT_LT(r.equilibrium.relative_residual, 1e-12);
+    EXPECT_LT(r.equilibrium.relative_moment_residual, 1e-12);
+}
+
+/// Along its guide a wedge gives way to a spring on its inclined side, which pushes it against the guide.
+TEST(RigidParts, AGuideTakesWhatASpringPushesAside) {
+    const Result r = answer(
+        {.hold =
+             R"({"on": "punch/left", "symmetry": true}, {"part": "wedge", "rigid": {"translation": [null, 0], "rotation": 0}},
+            {"on": {"part": "wedge", "facing": [1, 1]}, "spring": {"normal": 50}})",
+         .load = R"({"on": "punch/top", "pressure": 10}, {"part": "wedge", "force": [4, 0]})",
+         .more_parts = R"(, {"name": "wedge", "material": "rigid", "geometry": {"polygon": [[10, 0], [14, 0], [10, 4]]}})"});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    const auto by = [&](const std::string& method) {
+        const auto found =
+            std::find_if(r.reactions.rbegin(), r.reactions.rend(), [&](const Reaction& x) { return x.method == method; });
+        return found == r.reactions.rend() ? Vec2(0, 0) : found->force;
+    };
+    EXPECT_NEAR((by("spring") - Vec2(-4, -4)).norm(), 0, 1e-11);
+    EXPECT_NEAR((by("rigid") - Vec2(0, 4)).norm(), 0, 1e-11);
 }
 
 TEST(RigidParts, AFreeOneIsAMechanism) {
