@@ -18,14 +18,14 @@ std::vector<int> Callouts::given(const LooseEntities& loose) const {
 
 /// Does no other outline come as near, lie in it, or lie around it?
 bool Callouts::is_clear(std::size_t shape, double reach) const {
-    const Vec2 center = found_.shapes[shape].box.center();
+    const Shape& own = found_.shapes[shape];
     for (std::size_t k = 0; k < found_.shapes.size(); ++k) {
-        if (k == shape || found_.is_out[k] || !found_.shapes[k].box.overlaps(found_.shapes[shape].box, reach)) continue;
-        if (closest_points(found_.shapes[k].outline, found_.shapes[shape].outline, reach)) return false;
-        if (is_upright_rectangle(found_.shapes[k]) && found_.shapes[shape].box.is_within(found_.shapes[k].box, 0))
-            continue;  // a frame perhaps
-        if (contains(found_.shapes[k].outline, center) || found_.shapes[k].box.is_within(found_.shapes[shape].box, 0))
-            return false;
+        const Shape& other = found_.shapes[k];
+        if (k == shape || found_.is_out[k] || !other.box.overlaps(own.box, reach)) continue;
+        const bool is_around = is_upright_rectangle(other) && own.box.is_within(other.box, 0);  // a frame perhaps
+        if (is_around && reach <= found_.tolerance) continue;
+        if (closest_points(other.outline, own.outline, reach)) return false;
+        if (!is_around && (contains(other.outline, own.box.center()) || other.box.is_within(own.box, 0))) return false;
     }
     return true;
 }

@@ -105,13 +105,18 @@ private:
                std::min(low.minCoeff(), high.minCoeff()) > least;
     }
 
-    /// Does anything but the other rectangle of a frame come near the one, from inside or from outside?
+    /// Does anything but the other rectangle of a frame come near the one, from inside or from outside? What lies across it, as
+    /// no part does, is not asked for.
     bool is_approached(std::size_t rectangle, std::size_t other) const {
         const Shape& own = found_.shapes[rectangle];
         const double reach = least_clearance * own.box.size().maxCoeff();
         for (std::size_t s = 0; s < found_.shapes.size(); ++s) {
             if (found_.is_out[s] || s == rectangle || s == other || !found_.shapes[s].box.overlaps(own.box, reach)) continue;
-            if (closest_points(found_.shapes[s].outline, own.outline, reach)) return true;
+            const Box2& box = found_.shapes[s].box;
+            const bool is_outside = !box.overlaps(grown(own.box, -2 * found_.tolerance), 0);
+            if ((is_outside || box.is_within(own.box, found_.tolerance)) &&
+                closest_points(found_.shapes[s].outline, own.outline, reach))
+                return true;
         }
         return false;
     }

@@ -159,8 +159,9 @@ struct FoundPart {
     int number = 0;  ///< in the order in which they were found
 };
 
-/// Is the part no wider than ends are joined across? It lies between two drawings of one outline.
-std::optional<SketchProblem> film_of(const FoundPart& found, double tolerance, const Vec2& origin) {
+/// Is the part no wider than ends of so large a one are joined across? It lies between two drawings of one outline.
+std::optional<SketchProblem> film_of(const FoundPart& found, const SketchOptions& options, const Vec2& origin) {
+    const double tolerance = options.tolerance > 0 ? options.tolerance : joining_fraction * bounding_box(found.part).diagonal();
     const double width = 2 * area(found.part) / perimeter(found.part);
     if (width > tolerance) return std::nullopt;
     const Edge& edge = found.part.edges.front();
@@ -253,8 +254,7 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
     }
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
-        if (std::optional<SketchProblem> film = film_of(one, sketch.tolerance, origin))
-            sketch.problems.push_back(std::move(*film));
+        if (std::optional<SketchProblem> film = film_of(one, options, origin)) sketch.problems.push_back(std::move(*film));
         sketch.parts.push_back(std::move(one.part));
         sketch.layers.push_back(std::move(one.label));
     }

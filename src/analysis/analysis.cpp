@@ -256,6 +256,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "same "
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
+    warn_of_held_loads(scene, conditions, out, result);
     note_needed_friction(scene, conditions, result);
     warn_of_drawn_touches(scene, solved, result);
 }

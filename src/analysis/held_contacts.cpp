@@ -63,7 +63,36 @@ bool holds_there(const Support& support, const std::vector<EdgePortion>& portion
            });
 }
 
+/// The support that holds all of a portion along x and y; -1: none.
+int holder_of(const Scene& scene, const ResolvedConditions& conditions, const EdgePortion& portion) {
+    const double rounding = 1e-9 * (portion.t1 - portion.t0);
+    for (std::size_t s = 0; s < scene.supports.size(); ++s)
+        if (components_of(scene.supports[s]).size() > 1 &&
+            std::any_of(conditions.supports[s].begin(), conditions.supports[s].end(), [&](const EdgePortion& held) {
+                return held.part == portion.part && held.edge == portion.edge && held.t0 <= portion.t0 + rounding &&
+                       held.t1 >= portion.t1 - rounding;
+            }))
+            return static_cast<int>(s);
+    return -1;
+}
+
 }  // namespace
+
+void warn_of_held_loads(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Result& result) {
+    for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+        const std::vector<EdgePortion>& loaded = conditions.loads[i];
+        if (loaded.empty()) continue;
+        const int grid = out.solved.solver_part[at(loaded.front().part)];
+        if (grid < 0 || out.solved.grids[at(grid)].is_rigid) continue;
+        const int holder = holder_of(scene, conditions, loaded.front());
+        if (std::any_of(loaded.begin(), loaded.end(),
+                        [&](const EdgePortion& p) { return holder_of(scene, conditions, p) < 0; }))
+            continue;
+        result.warnings.push_back("load " + std::to_string(i + 1) + " acts where support " + std::to_string(holder + 1) + " (" +
+                                  support_label(scene, holder) + ") holds part " + scene.parts[at(loaded.front().part)].name +
+                                  ": it goes into the support and strains nothing; load or hold another edge");
+    }
+}
 
 void warn_of_held_contacts(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;

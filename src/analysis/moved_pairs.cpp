@@ -8,13 +8,15 @@
 // over a middle curve of the radius (r + R - e.n) / 2, where the gap at rest is c (1 - cos f) - (c sin f)^2 / (2 R), over r.
 // Two things err. The same force is spread over the longer curve: pressures are lower by the share it is longer by. And the
 // gap's curvature k is another: by half planes (Hertz) a change dk, which opens the ends of a contact of half width b by dk b^2
-// / 2, changes the largest pressure p under the same force by E* b dk / 4. Lengths and curvatures are measured, so that this
-// holds of any two faces: both gaps in the middle and at both ends of what is closed.
+// / 2, changes the largest pressure p under the same force by E* b dk / 4; a part that is thinner than b bends by that, which
+// takes a share of some (width / b)^3 of this pressure: a belt lies on any drum. Lengths and curvatures are measured, so that
+// this holds of any two faces: both gaps in the middle and at both ends of what is closed.
 #include "src/analysis/moved_pairs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "src/analysis/placed_pairs.hpp"
 #include "src/base/index.hpp"
@@ -61,6 +63,13 @@ Excess excess_of(const Scene& scene, const ContactInterface& c, const PressedStr
     return {(before[0] + before[1]) / (now[0] + now[1]) - 1, curvature_of(drawn, now) - curvature_of(moved, now)};
 }
 
+/// A part's mean width; one that does not deform does not bend.
+double width_of(const Scene& scene, const SolvedAssembly& solved, int part) {
+    const PartOnGrid& grid = solved.grids[at(part)];
+    if (grid.is_rigid) return std::numeric_limits<double>::infinity();
+    return 2 * grid.area / geometry::perimeter(scene.parts[at(grid.part)].part);
+}
+
 }  // namespace
 
 std::vector<double> moved_pair_errors(const Scene& scene, const SolvedAssembly& solved) {
@@ -71,10 +80,11 @@ std::vector<double> moved_pair_errors(const Scene& scene, const SolvedAssembly& 
         const double compliance = compliance_of(solved, k), largest = pressure_of(solved, k).maxCoeff();
         if (compliance == 0) continue;
         const PlacedFaces faces = placed_faces(scene, solved, k);
+        const double width = std::min(width_of(scene, solved, c.face.part[0]), width_of(scene, solved, c.face.part[1]));
         for (const PressedStretch& stretch : solved.stretches[k]) {
             const Excess more = excess_of(scene, c, stretch, faces);
-            const double half = 0.5 * (stretch.end - stretch.begin),
-                         error = std::abs(half * more.curvature / (4 * compliance * largest) - more.length);
+            const double half = 0.5 * (stretch.end - stretch.begin), bends = std::min(1.0, std::pow(width / half, 3)),
+                         error = std::abs(bends * half * more.curvature / (4 * compliance * largest) - more.length);
             if (std::isfinite(error)) errors[k] = std::max(errors[k], error);
         }
     }

@@ -72,6 +72,22 @@ TEST(HeldContacts, DisplacementsAloneDriveACamAndItsFollower) {
     EXPECT_NEAR((r.reactions.at(0).force + r.reactions.at(1).force).norm(), 0, 1e-9);
 }
 
+TEST(HeldContacts, ALoadOnAHeldEdgeIsAWarning) {
+    const auto told = [](const std::string& on) {
+        return warnings_with("it goes into the support",
+                             scene_of(block("b", "[0, 0]", "[4, 2]"),
+                                      R"(, "supports": [{"on": "b/bottom", "fix": ["x", "y"]}, {"on": "b/left", "fix": ["x"]}],
+                                          "loads": [{"on": "b/top", "pressure": 1}, {"on": )" +
+                                          on + R"(, "force": [1, 1]}])"));
+    };
+    const std::vector<std::string> held = told(R"("b/bottom")");
+    ASSERT_EQ(held.size(), 1U);
+    EXPECT_EQ(held[0].find("load 2 acts where support 1 (fix x, y on b/bottom) holds part b"), 0U) << held[0];
+    EXPECT_EQ(told(R"({"part": "b", "box": [[1, -1], [2, 1]]})").size(), 1U);
+    EXPECT_TRUE(told(R"("b/left")").empty());
+    EXPECT_TRUE(told(R"(["b/bottom", "b/right"])").empty());
+}
+
 TEST(UnpairedTouches, ASharpCornerOnAFaceIsAWarning) {
     const std::string wedge = part("b", R"({"polygon": [[0, 0], [0.3, 1], [-0.3, 1]]})");
     const Scene scene = scene_of(base + "," + wedge, R"(, "supports": [{"on": "base/bottom", "fix": ["x", "y"]},

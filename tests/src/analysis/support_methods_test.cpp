@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <string>
 
 #include "src/analysis/analysis.hpp"
@@ -242,6 +243,28 @@ TEST(SupportMethods, SoftSpringsHoldAsTheyAre) {
     EXPECT_NEAR(r.probes[0].displacement.x(), 1e10, 1);
     EXPECT_NEAR(r.probes[0].stress.xx, 10, 0.01);
     EXPECT_EQ(verdict_of(r), Verdict::solved_but) << "it moves farther than it is large";
+}
+
+/// A block on an even bed of springs, pressed by another through a contact: springs and blocks in a row, whichever of them are
+/// softer.
+TEST(SupportMethods, SpringsOfAnyStiffnessCarryContacts) {
+    for (const bool is_rigid : {false, true})
+        for (const double k : {1e-8, 1e-2, 1.0, 1e2, 1e4, 1e8}) {
+            std::ostringstream stiffness;
+            stiffness << k;
+            const Result r =
+                answer({.geometry = R"("rectangle": {"min": [0, 1], "max": [2, 2]}}}, {"name": "b", "material": ")" +
+                                    std::string(is_rigid ? "rigid" : "m") +
+                                    R"(", "geometry": {"rectangle": {"min": [0, 0], "max": [2, 1]})",
+                        .supports = R"({"on": "b/bottom", "spring": {"normal": )" + stiffness.str() +
+                                    R"(}}, {"on": "b/left", "symmetry": true}, {"on": "a/left", "symmetry": true},
+                                {"on": "a/top", "displacement": {"y": -0.001}})",
+                        .material = R"("E": 1000, "nu": 0)"});
+            ASSERT_EQ(r.status, "ok") << r.message;
+            const double force = 2 * 0.001 / (1 / k + (is_rigid ? 1 : 2) / E);
+            EXPECT_NEAR(r.contacts.at(0).force.norm(), force, 1e-9 * force) << k << " " << is_rigid;
+            EXPECT_LT(r.equilibrium.relative_residual * force, 1e-11) << k << " " << is_rigid;  // E times what it moves by is 1
+        }
 }
 
 TEST(SupportMethods, RigidHoldsWhatIsNotNullWhateverTheGridsAngle) {
