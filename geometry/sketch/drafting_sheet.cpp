@@ -53,12 +53,11 @@ private:
         return layers;
     }
 
-    /// Small faces with texts, of a divided outline: all but the largest are cells. Faces with as many layers, or nearly, are
-    /// parts, each with its name.
+    /// Small faces with texts, of a divided outline: all but the largest are cells. Faces with as many layers are parts, each
+    /// with its name.
     bool is_table(const Shape& shape) const {
         const std::vector<Part>& faces = shape.faces;
-        const std::size_t n_layers = layers_of(shape).size(), of_tables = 2;  // thick lines and thin ones
-        if (n_layers >= faces.size() || (n_layers > of_tables && 2 * n_layers > faces.size())) return false;
+        if (layers_of(shape).size() >= faces.size()) return false;
         std::size_t n_cells = 0, n_with_text = 0;
         for (const Part& face : faces) {
             n_cells += is_cell(face) ? 1 : 0;
@@ -121,14 +120,32 @@ private:
         return false;
     }
 
-    /// Is a rectangle with such outlines in it a plate with holes, by its layer, or since they all are round?
+    /// Is a rectangle with such outlines in it a plate with holes, since they all are round, or some, but not all, are on its
+    /// layer?
     bool is_plate(std::size_t frame, const std::vector<std::size_t>& inside) const {
         const std::set<std::string> own = layers_of(found_.shapes[frame]);
-        const bool has_own_layer = own.size() == 1 && *own.begin() != "0";
-        return (has_own_layer &&
-                std::any_of(inside.begin(), inside.end(), [&](std::size_t s) { return layers_of(found_.shapes[s]) == own; })) ||
-               std::all_of(inside.begin(), inside.end(),
-                           [&](std::size_t s) { return circle_of(found_.shapes[s], found_.tolerance).has_value(); });
+        const auto n_with_it = static_cast<std::size_t>(
+            std::count_if(inside.begin(), inside.end(), [&](std::size_t s) { return layers_of(found_.shapes[s]) == own; }));
+        return (n_with_it > 0 && n_with_it < inside.size()) || std::all_of(inside.begin(), inside.end(), [&](std::size_t s) {
+                   return circle_of(found_.shapes[s], found_.tolerance).has_value();
+               });
+    }
+
+    /// Is there a title block in the rectangle: a table that was set aside or hangs on a frame, or a small rectangle with
+    /// several texts? Parts have none in them.
+    bool has_title_in(const Box2& box) const {
+        constexpr std::size_t several = 3;
+        constexpr double small = 0.25;
+        for (std::size_t s = 0; s < found_.shapes.size(); ++s) {
+            const Shape& shape = found_.shapes[s];
+            if (!shape.box.is_within(box, found_.tolerance)) continue;
+            const bool is_table =
+                found_.is_out[s] ? found_.kind[at(shape.entities.front())] == drafting_kinds.table : has_cells_with_text(shape);
+            if (is_table || (!found_.is_out[s] && is_upright_rectangle(shape) && shape.area < small * box.size().prod() &&
+                             n_texts_in(shape.box) >= several))
+                return true;
+        }
+        return false;
     }
 
     /// Is the frame proved by what is in it?
@@ -140,11 +157,13 @@ private:
             return is_upright_frame_in(s, own.box) && inside.size() > 1 && are_most_in(inside, s);
         });
         const bool has_margin = inner != inside.end(), has_text = n_texts_in(own.box) > 0;
+        const bool has_title = has_title_in(own.box);
         const bool is_clear =
-            !is_approached(frame, has_margin ? *inner : frame) && (!has_margin || !is_approached(*inner, frame));
+            has_title || (!is_approached(frame, has_margin ? *inner : frame) && (!has_margin || !is_approached(*inner, frame)));
         if (has_margin && is_clear && (has_text || is_sparse(frame, *inner, inside))) return true;
         if (!is_around_all(frame)) return false;
-        if (has_proportions_of_paper(own.box) && has_text && own.faces.empty() && is_clear && !is_plate(frame, inside))
+        if (has_proportions_of_paper(own.box) && has_text && own.faces.empty() && is_clear &&
+            (has_title || !is_plate(frame, inside)))
             return true;
         return own.faces.empty() && is_sparse(frame, frame, inside);
     }
@@ -212,6 +231,10 @@ private:
         constexpr double near_fraction = 0.02;  // of the smaller diagonal: pairs of parts are looked for so far
         if (!found_.shapes[frame].faces.empty() || !is_around_all(frame) || inside.size() > 50)
             return;  // so many holes are a plate's
+        if (has_proportions_of_paper(found_.shapes[frame].box) && n_texts_in(found_.shapes[frame].box) > 0) {
+            doubt(frame, "it has the proportions of paper, and a text in it");
+            return;
+        }
         for (const std::size_t a : inside)
             for (const std::size_t b : inside) {
                 if (b <= a || circle_of(found_.shapes[a], found_.tolerance) || circle_of(found_.shapes[b], found_.tolerance))
@@ -222,14 +245,17 @@ private:
                     found_.shapes[b].box.is_within(found_.shapes[a].box, 0))
                     continue;
                 if (!closest_points(found_.shapes[a].outline, found_.shapes[b].outline, reach)) continue;
-                const SketchEntity& first = found_.drawing.entities[at(found_.shapes[frame].entities.front())];
-                doubts_.push_back({"the rectangle of " + first.kind + " " + first.name + " on layer " + first.layer +
-                                       " around all else is taken as a plate; outlines in it come as near as parts that touch, "
-                                       "so it may be the frame of a sheet",
-                                   found_.shapes[frame].box.min, first.name, first.line,
-                                   "put it on a layer of its own and leave that out (--ignore-layer) where it is"});
+                doubt(frame, "outlines in it come as near as parts that touch");
                 return;
             }
+    }
+
+    void doubt(std::size_t frame, const std::string& why) {
+        const SketchEntity& first = found_.drawing.entities[at(found_.shapes[frame].entities.front())];
+        doubts_.push_back({"the rectangle of " + first.kind + " " + first.name + " on layer " + first.layer +
+                               " around all else is taken as a plate; " + why + ", so it may be the frame of a sheet",
+                           found_.shapes[frame].box.min, first.name, first.line,
+                           "put it on a layer of its own and leave that out (--ignore-layer) where it is"});
     }
 
     DraftingSearch& found_;

@@ -33,7 +33,7 @@ inline constexpr int multiplier_degree = 2;
 
 /// A stretch along which two parts, or two faces of one, are coupled: its points and its unknowns.
 struct Interface {
-    std::array<int, 2> part;
+    std::array<int, 2> part{-1, -1};
     double thickness = 1;
     KnotVector pressure{};   ///< over s; penalty: polyline_knots
     bool bilateral = false;  ///< holds both ways: bonded edges

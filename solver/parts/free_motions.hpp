@@ -15,7 +15,7 @@ struct UnheldMotions {
 /// motion is the one along it: all others stretch the hoops.
 UnheldMotions unheld_motions(const PartSystem& system, const Vec2& center, double size);
 
-/// Of motions that supports do not hold.
+/// Splits motions that supports do not hold.
 UnheldMotions split_by_springs(std::vector<RigidMotion> unheld, const std::vector<SpringSet>& springs);
 
 /// The sum of motions, each times its share, about the centre of the first.

@@ -16,8 +16,8 @@ namespace abut::solver {
 /// The springs' stiffness times motions (2n x any), which are given by their coefficients.
 Eigen::MatrixXd springs_times(const PartSystem& system, const Eigen::MatrixXd& motions);
 
-/// Of rigid motions that springs alone hold those (2n x some) against which they are softer than the material is against a
-/// coefficient; stiffer ones stay in the factor.
+/// Finds, of rigid motions that springs alone hold, those (2n x some) against which they are softer than the material is
+/// against a coefficient; stiffer ones stay in the factor.
 Eigen::MatrixXd soft_motions(const PartSystem& system, const std::vector<RigidMotion>& on_springs);
 
 /// w (2n x motions), of a part whose factor is that of K + S pinned, or of a rigid one.

@@ -383,7 +383,8 @@ double strain_energy(const PartSystem& system, const Eigen::VectorXd& total) {
     const Eigen::VectorXd elastic = elastic_displacement(system.input, total);
     const Eigen::VectorXd& displacement = elastic.size() > 0 ? elastic : total;
     if (system.input.structure) return weighted_strain_energy(system.input, displacement);
-    if (system.input.free_strain || system.input.axis)
+    if (system.input.free_strain || system.input.axis ||
+        system.sprung.cols() > 0)  // else K's rounding in what springs give way by
         return elastic_energy(system.input, displacement) +
                (system.input.is_projected ? volume_energy(*system.input.dilatation, displacement) : 0);
     double twice = displacement.dot(multiply(system.stiffness, displacement));

@@ -31,7 +31,7 @@ struct MovedForce {
 /// motions: of all parts that are solved, in their order (SolvedAssembly::grids), in assembly coordinates.
 std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
                                      const std::vector<solver::RigidMotion>& motions);
-/// The same where each face moves as it does in the solution (face_motion.hpp).
+/// Finds them where each face moves as it does in the solution (face_motion.hpp).
 std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut

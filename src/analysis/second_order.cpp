@@ -121,7 +121,7 @@ double largest_motion(const SolvedAssembly& solved, std::size_t contact) {
 /// May forces that are balanced where parts have moved and bent to change the answer?
 bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved, const std::vector<double>& gaps) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
-        if (std::abs(gaps[k]) > noted_gap * largest_motion(solved, k)) return true;
+        if (gaps[k] != 0 && std::abs(gaps[k]) > noted_gap * largest_motion(solved, k)) return true;
     const double noted = noted_wrench * largest_force(solved);
     for (std::size_t i = 0; i < solved.grids.size(); ++i)
         if (bends_far(solved, i) || column_share(solved, i) > noted_column ||
@@ -179,8 +179,16 @@ Change change_by(double u, double v, double along) {
     return {growing < 1 ? v / u / (1 - growing) : v / u, growing};
 }
 
+/// The force on a part, in assembly coordinates, that the answer leaves out; zero where it is none that counts.
+Vec2 force_left_out(const SolvedAssembly& solved, const SolvedAssembly& moved, std::size_t i) {
+    const PartOnGrid& grid = solved.grids[i];
+    const VectorXd more = moved.problem.parts[i].applied - solved.problem.parts[i].applied;
+    const Vec2 force = solver::resultant_of(grid.input.space, more).force;
+    return force.norm() > noted_wrench * largest_force(solved) ? grid.frame.vector_to_global(force) : Vec2(0, 0);
+}
+
 /// The largest of the changes of a part's translation, its rotation, and its bending: what grows may be a small share of all
-/// that it moves by. What edges hold bends as a whole.
+/// that it moves by, across the way that most of this goes. What edges hold bends as a whole.
 Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std::size_t i) {
     const VectorXd &u = solved.solution.displacement[i], v = moved.solution.displacement[i] - u;
     double largest = 0;
@@ -194,9 +202,12 @@ Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std:
     };
     const bool is_held = is_held_by_edges(solved, i);
     if (!is_held && !is_neutral(solved, i)) {
-        const Vec2 way = of_v.motion.translation;
-        if (const double along = way.norm() > 0 ? of_u.motion.translation.dot(way.normalized()) : 0; std::abs(along) > least)
-            take(change_by(std::abs(along), way.norm(), std::copysign(way.norm(), along)));
+        for (const Vec2& way : {of_v.motion.translation, force_left_out(solved, moved, i)}) {
+            if (way.norm() == 0) continue;
+            const double along = of_u.motion.translation.dot(way.normalized()),
+                         on = of_v.motion.translation.dot(way.normalized());
+            if (std::abs(along) > least) take(change_by(std::abs(along), std::abs(on), std::copysign(on, on * along)));
+        }
         const double turned = of_u.motion.rotation, more = of_v.motion.rotation;
         if (std::abs(turned) * solved.grids[i].size > 2 * least)
             take(change_by(std::abs(turned), std::abs(more), std::copysign(more, more * turned)));
@@ -257,6 +268,18 @@ void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAsse
     tell(std::move(findings), "displacement", result);
 }
 
+/// The sum of contacts' forces on each part, as they are or turned where friction does not keep their direction open.
+std::vector<Vec2> forces_by_part(const SolvedAssembly& solved, const std::vector<MovedForce>& lines, bool are_turned) {
+    std::vector<Vec2> sum(solved.grids.size(), Vec2(0, 0));
+    for (const MovedForce& line : lines) {
+        const solver::Interface& face = solved.contacts[line.contact].face;
+        const Vec2& force = are_turned && !line.any_direction ? line.turned : line.force;
+        sum[at(face.part[0])] += force;
+        sum[at(face.part[1])] -= force;
+    }
+    return sum;
+}
+
 /// By stretches under pressure: two faces of a corner that press one place are one, whichever of them bears how much; and by
 /// parts, on which forces that turn add up to others.
 void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, double noted, Result& result) {
@@ -270,18 +293,16 @@ void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& m
         Finding& worst = findings[who];
         if (change > worst.measure) worst = {change, who, text + ", which the answer leaves out", text};
     };
-    std::vector<Vec2> was(out.solved.grids.size(), Vec2(0, 0)), is = was;
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        const std::string contact = "contact " + contact_number(before[k].contact);
-        note((after[k].force - before[k].force).norm(), contact, "the force of " + contact + " changes");
-        const solver::Interface& face = out.solved.contacts[before[k].contact].face;
-        for (const std::size_t side : {0U, 1U}) {
-            const double sign = side == 0 ? 1 : -1;
-            was[at(face.part[side])] += sign * before[k].force;
-            is[at(face.part[side])] += sign * (before[k].any_direction ? after[k].force : after[k].turned);
+    const auto is_same = [](const MovedForce& a, const MovedForce& b) { return a.contact == b.contact; };
+    if (std::equal(before.begin(), before.end(), after.begin(), after.end(), is_same))  // else corners are joined otherwise
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            const std::string contact = "contact " + contact_number(before[k].contact);
+            note((after[k].force - before[k].force).norm(), contact, "the force of " + contact + " changes");
         }
-    }
+    const std::vector<Vec2> was = forces_by_part(out.solved, before, false), is = forces_by_part(out.solved, after, true);
+    constexpr double counts = 0.1;  // of the largest force: what balances on a part by itself has no direction
     for (std::size_t i = 0; i < was.size(); ++i) {
+        if (was[i].norm() <= counts * largest) continue;
         const std::string part = "part " + scene.parts[at(out.solved.grids[i].part)].name;
         note(std::abs(is[i].norm() - was[i].norm()), part, "the forces of contacts on " + part + " change");
     }

@@ -20,14 +20,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using geometry::cross;
 
-/// The load (2n) that works in rigid motions what a force and a moment about the part's centre do, in its frame, evenly over
-/// the part's functions.
-VectorXd even_load(const PartOnGrid& grid, const Vec2& force, double moment) {
-    const MatrixXd motions = unit_motions(grid);
-    const Eigen::Vector3d works(force.x(), force.y(), moment);
-    return motions * (motions.transpose() * motions).ldlt().solve(works);
-}
-
 VectorXd load_of(const SolvedAssembly& solved, const ContactChange& change) {
     const PartOnGrid& grid = solved.grids[change.part];
     if (!grid.input.axis) return load_on_face(solved, change.contact, change.side, change.force, change.moment, change.at);
@@ -57,14 +49,17 @@ bool is_held_by_edges(const SolvedAssembly& solved, std::size_t part) {
     return !solved.problem.parts[part].supports.empty();
 }
 
-VectorXd even_load(const PartOnGrid& grid, const Vec2& force) {
-    return even_load(grid, force, 0);
+VectorXd even_load(const PartOnGrid& grid, const Vec2& force, double moment) {
+    const MatrixXd motions = unit_motions(grid);
+    const Eigen::Vector3d works(force.x(), force.y(), moment);
+    return motions * (motions.transpose() * motions).ldlt().solve(works);
 }
 
 std::vector<ContactChange> changes_as_contacts_move(const Scene& scene, const SolvedAssembly& solved) {
     std::vector<ContactChange> changes;
     for (const MovedForce& line : moved_forces(scene, solved)) {
         const ContactInterface& c = solved.contacts[line.contact];
+        if (ends_at_mirror(solved, line.contact)) continue;            // it acts on the line of symmetry, and stays there
         if (line.any_place && sticks(solved, line.contact)) continue;  // what is glued has the loads of finite_motion_load
         for (const std::size_t side : {0U, 1U}) {
             const solver::RigidMotion motion = face_motion(solved, line.contact, side);

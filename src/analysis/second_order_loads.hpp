@@ -16,8 +16,9 @@ struct ContactChange {
 };
 std::vector<ContactChange> changes_as_contacts_move(const Scene& scene, const SolvedAssembly& solved);
 
-/// The load (2n) of a force, in a part's frame, evenly over its functions.
-Eigen::VectorXd even_load(const PartOnGrid& grid, const Vec2& force);
+/// The load (2n) that works in a part's rigid motions what a force and a moment about its centre do, in its frame, evenly over
+/// its functions.
+Eigen::VectorXd even_load(const PartOnGrid& grid, const Vec2& force, double moment = 0);
 
 /// Do edges that supports hold keep the part where it is? How it gives way there is strain.
 bool is_held_by_edges(const SolvedAssembly& solved, std::size_t part);

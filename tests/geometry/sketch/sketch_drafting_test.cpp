@@ -115,12 +115,15 @@ TEST(SketchDrafting, APlateWithANoteIsNoSheet) {
     const SketchParts plate = parts_with(drawn_rectangle({0, 0}, {297, 210}, "p") + holes, note);
     ASSERT_EQ(plate.parts.size(), 1u);
     EXPECT_EQ(count_holes(plate.parts[0]), 2);
-    // a window on the plate's own layer; on another one it is what a sheet shows
-    for (const std::string layer : {"PLATE", "OTHER"}) {
-        const SketchParts sketch = parts_with(
-            drawn_rectangle({0, 0}, {297, 210}, "p", "PLATE") + drawn_rectangle({50, 50}, {100, 80}, "w", layer), note);
-        ASSERT_EQ(sketch.parts.size(), 1u);
-        EXPECT_NEAR(sorted_areas(sketch)[0], layer == "PLATE" ? 297 * 210 - 1500 : 1500, 1e-9);
+    EXPECT_TRUE(tells(plate, "it has the proportions of paper, and a text in it, so it may be the frame of a sheet"));
+    // a window on the plate's own layer, and a slider in it on another; all on one layer is what a sheet shows
+    for (const std::string layer : {"SLIDER", "PLATE"}) {
+        const SketchParts sketch =
+            parts_with(drawn_rectangle({0, 0}, {297, 210}, "p", "PLATE") + drawn_rectangle({50, 50}, {100, 80}, "w", "PLATE") +
+                           drawn_rectangle({60, 55}, {90, 75}, "s", layer),
+                       note);
+        ASSERT_EQ(sketch.parts.size(), layer == "SLIDER" ? 2u : 1u);
+        EXPECT_NEAR(sorted_areas(sketch)[0], layer == "SLIDER" ? 600 : 900, 1e-9);
     }
 }
 
