@@ -204,8 +204,8 @@ private:
             if (outermost == found_.shapes.size() || !is_upright_rectangle(found_.shapes[outermost])) return;
             const std::vector<std::size_t> inside = inside_of(outermost);
             if (inside.empty()) return;
-            if (!is_frame(outermost, inside) &&
-                !(has_frame_ && is_upright_frame_in(outermost, last_frame_) && !is_approached(outermost, outermost))) {
+            if (!is_frame(outermost, inside) && !(has_frame_ && is_upright_frame_in(outermost, last_frame_) &&
+                                                  (has_title_in(last_frame_) || !is_approached(outermost, outermost)))) {
                 doubt_frame(outermost, inside);
                 return;
             }
