@@ -39,7 +39,7 @@ void fill_column(const PartSystem& part, std::span<const RowEntry> entries, Inde
         if (unknown(e) >= 0) to.insertBack(unknown(e), column) = e.value;
 }
 
-/// entries: by row, then coefficient; load (2n), or none.
+/// entries: by row, then coefficient.
 PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entries, const VectorXd& load) {
     PartColumns c{rows_of(entries), {}, load.size() > 0};
     c.columns.resize(part.n_kept, static_cast<Index>(c.row.size()) + (c.is_loaded ? 1 : 0));
@@ -54,8 +54,7 @@ PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entr
     if (c.is_loaded) {
         const Index last = c.columns.cols() - 1;
         c.columns.startVec(last);
-        const VectorXd kept = kept_entries(part, load);
-        for (Index i = 0; i < kept.size(); ++i) c.columns.insertBack(i, last) = kept[i];
+        for (Index i = 0; i < load.size(); ++i) c.columns.insertBack(i, last) = load[i];
     }
     c.columns.finalize();
     return c;
@@ -90,37 +89,33 @@ void fold_rotation(const VectorXd& arm, PartShare& share) {
     share.row.pop_back();
 }
 
-/// What a part yields by motions on its springs: W'B of the columns B.
-MatrixXd by_springs(const PartSystem& part, const std::vector<RowEntry>& entries, const VectorXd& load) {
-    const auto n = static_cast<Index>(rows_of(entries).size());
-    MatrixXd yielding = MatrixXd::Zero(part.sprung.cols(), n + (load.size() > 0 ? 1 : 0));
-    Index column = -1;
-    int row = -1;
-    for (const RowEntry& e : entries) {
-        if (e.row != std::exchange(row, e.row)) ++column;
-        yielding.col(column) += e.value * part.sprung.row(e.coefficient).transpose();
+/// Adds what a part gives way by in motions on its springs.
+void add_springs(const PartSystem& part, const Rows& rows, std::size_t i, const VectorXd& load, PartShare& share) {
+    const auto n = static_cast<Index>(share.row.size());
+    for (Index k = 0; k < part.sprung.cols(); ++k) {
+        const VectorXd opened = opening_of(rows, i, part.sprung.col(k)), own = opened(share.row);
+        share.compliance.topLeftCorner(n, n) += own * own.transpose();
+        share.opening += part.sprung.col(k).dot(load) * opened;
     }
-    if (load.size() > 0) yielding.col(n) = part.sprung.transpose() * load;
-    return yielding;
 }
 
 PartShare share_of(const PartSystem& part, const Rows& rows, std::size_t i) {
     if (rows.by_part[i].empty()) return {};
     if (part.body && part.sprung.cols() == 0) return {{}, {}, opening_of(rows, i, part.prescribed)};
-    const bool turns = rows.turning[i].rotation.size() > 0;
     const VectorXd load = load_beside_prescribed(part, part.load);
-    const bool is_loaded = !load.isZero(0), is_apart = part.factor.keeps_forms();  // forms are those of any load
-    const VectorXd with_rows = is_loaded && !is_apart ? load : VectorXd(0);
-    const std::vector<RowEntry> entries = turns ? with_rotation(rows, i) : rows.by_part[i];
-    PartColumns c = columns_of(part, entries, with_rows);
-    PartShare share{std::move(c.row), {}, opening_of(rows, i, part.prescribed)};
-    if (!part.body) share.compliance = part.factor.inverse_form(c.columns);
-    if (part.sprung.cols() > 0) {
-        const MatrixXd yielding = by_springs(part, entries, with_rows);
-        if (part.body) share.compliance = MatrixXd::Zero(yielding.cols(), yielding.cols());
-        share.compliance += yielding.transpose() * yielding;
+    if (part.body) {
+        PartShare share{rows_of(rows.by_part[i]), {}, opening_of(rows, i, part.prescribed)};
+        share.compliance = MatrixXd::Zero(std::ssize(share.row), std::ssize(share.row));
+        add_springs(part, rows, i, load, share);
+        return share;
     }
+    const bool turns = rows.turning[i].rotation.size() > 0;
+    const bool is_loaded = !load.isZero(0), is_apart = part.factor.keeps_forms();  // forms are those of any load
+    const VectorXd with_rows = is_loaded && !is_apart ? kept_entries(part, load) : VectorXd(0);
+    PartColumns c = columns_of(part, turns ? with_rotation(rows, i) : rows.by_part[i], with_rows);
+    PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), opening_of(rows, i, part.prescribed)};
     if (turns) fold_rotation(rows.turning[i].arm, share);
+    add_springs(part, rows, i, load, share);
     if (is_loaded && is_apart) share.opening = opening_of(rows, i, solve(part, part.load));
     if (c.is_loaded)
         for (std::size_t k = 0; k < share.row.size(); ++k)

@@ -42,17 +42,12 @@ void add_springs(const PartInput& input, const SpringSet& set, BlockMatrix& stif
 
 Eigen::VectorXd spring_load(const PartInput& input, const SpringSet& set, const Eigen::VectorXd& displacement) {
     ENSURE(!input.structure, "forces of springs are on plain functions");
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(displacement.size());
+    std::vector<TractionPoint> points;
     for (const SpringPoint& p : set.points) {
-        const PointBasis basis = evaluate(input.space, p.element, p.x);
-        Vec2 u = Vec2::Zero();
-        for (std::size_t i = 0; i < basis.functions.size(); ++i)
-            u += basis.value[static_cast<Index>(i)] * displacement.segment<2>(2 * basis.functions[i]);
-        const Vec2 force = p.weight * input.thickness * spring_traction(set, p, u);
-        for (std::size_t i = 0; i < basis.functions.size(); ++i)
-            load.segment<2>(2 * basis.functions[i]) += basis.value[static_cast<Index>(i)] * force;
+        const Vec2 u = displacement_at(input, displacement, p.element, p.x).value;
+        points.push_back({p.element, p.x, p.weight, spring_traction(set, p, u)});
     }
-    return load;
+    return boundary_load(input, points);
 }
 
 SpringAnswer spring_answer(const PartInput& input, const SpringSet& set, const Eigen::VectorXd& displacement) {

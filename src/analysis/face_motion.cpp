@@ -97,9 +97,10 @@ solver::RigidMotion face_motion(const SolvedAssembly& solved, std::size_t contac
     const Vec2 beside = grid.frame.vector_to_global(moved) - motion.translation, across = normal.stableNormalized(),
                along = beside - beside.dot(across) * across;
     const double turned = turning / own.inertia - motion.rotation, pressed_in = indentation_of(solved, contact);
-    const bool is_half = ends_at_mirror(solved, contact);
-    motion.translation += beside - (along.norm() > pressed_in && !is_half ? Vec2(0, 0) : along);
-    if (std::abs(turned) * own.length > pressed_in && !is_half) motion.rotation += turned;
+    const bool slides = along.norm() > pressed_in, turns = std::abs(turned) * own.length > pressed_in,
+               goes_by_itself = (slides || turns) && !ends_at_mirror(solved, contact);
+    motion.translation += slides && goes_by_itself ? beside : beside - along;
+    if (turns && goes_by_itself) motion.rotation += turned;
     return motion;
 }
 

@@ -6,7 +6,8 @@
 // A straight column has no displacement to grow: it is pushed aside, and its bending is to be less in the answer to what that
 // leaves out.
 //
-// Where friction at its limit leaves open how far parts go, which is told, nothing is said of how that changes.
+// Where friction at its limit leaves open how far parts go, and how they share it, which is told, nothing is said of how that
+// changes.
 //
 // Most scenes call for none of this, which their motions, mean stresses and shapes show beforehand.
 #include "src/analysis/second_order.hpp"
@@ -281,8 +282,9 @@ std::vector<Vec2> forces_by_part(const SolvedAssembly& solved, const std::vector
 }
 
 /// By stretches under pressure: two faces of a corner that press one place are one, whichever of them bears how much; and by
-/// parts, on which forces that turn add up to others.
-void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, double noted, Result& result) {
+/// parts, on which forces that turn add up to others. is_at_limit: friction, where some parts go.
+void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, double noted, bool is_at_limit,
+                 Result& result) {
     const std::vector<MovedForce> before = moved_forces(scene, out.solved), after = moved_forces(scene, moved);
     const double largest = largest_force(out.solved);
     std::map<std::string, Finding> findings;  // a contact may press in several stretches
@@ -297,7 +299,9 @@ void tell_forces(const Scene& scene, const Outcome& out, const SolvedAssembly& m
     if (std::equal(before.begin(), before.end(), after.begin(), after.end(), is_same))  // else corners are joined otherwise
         for (std::size_t k = 0; k < before.size(); ++k) {
             const std::string contact = "contact " + contact_number(before[k].contact);
-            note((after[k].force - before[k].force).norm(), contact, "the force of " + contact + " changes");
+            const Vec2 change = after[k].force - before[k].force, &normal = before[k].normal;
+            const bool is_open = is_at_limit && before[k].any_direction && normal.norm() > 0;
+            note(is_open ? std::abs(change.dot(normal)) : change.norm(), contact, "the force of " + contact + " changes");
         }
     const std::vector<Vec2> was = forces_by_part(out.solved, before, false), is = forces_by_part(out.solved, after, true);
     constexpr double counts = 0.1;  // of the largest force: what balances on a part by itself has no direction
@@ -328,9 +332,11 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
         return;
     }
     const double noted = noted_change * out.target + strains_share * strain_of(solved);
-    if (!any_at_limit(scene, solved)) tell_displacements(scene, out, moved, noted, threads, result);
+    const bool is_at_limit = any_at_limit(scene, solved);
+    if (!is_at_limit) tell_displacements(scene, out, moved, noted, threads, result);
     const auto is_told = [](const Reason& r) { return r.kind == "turned_force"; };
-    if (std::none_of(result.reasons.begin(), result.reasons.end(), is_told)) tell_forces(scene, out, moved, noted, result);
+    if (std::none_of(result.reasons.begin(), result.reasons.end(), is_told))
+        tell_forces(scene, out, moved, noted, is_at_limit, result);
 }
 
 }  // namespace abut
