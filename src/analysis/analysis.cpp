@@ -73,6 +73,13 @@ std::string holding_friction(const Outcome& out) {
     return ". Coefficients of friction " + number_beside(factor, 1, 4) + " times as large would hold it";
 }
 
+/// What friction does not hold where it is drawn, and what would.
+std::string not_held(const Scene& scene, const Outcome& out) {
+    const std::vector<solver::PartMotion>& mechanism = out.solved.solution.mechanism;
+    if (mechanism.empty() || !has_friction(out)) return "";
+    return "where it is drawn friction does not hold it: " + motions_text(scene, out.solved, mechanism) + holding_friction(out);
+}
+
 /// Where a part slides by so little of the loads that the digits of its drawing may be why.
 std::string small_drive(const SolvedAssembly& solved) {
     constexpr double small = 1e-4;  // of the largest load: four digits of a size
@@ -276,6 +283,7 @@ struct Begun {
     Result result;
     Settling settling{};
     std::optional<Rest> rest{};  ///< where parts settle
+    std::string not_held{};      ///< in words: what goes there since friction does not hold it
 };
 
 /// from: where parts are before; empty: where they are drawn.
@@ -316,6 +324,7 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, int threa
     result.load_marks = load_marks(scene, conditions);
     fill_parts(scene, out.solved, result);
     tell_motion(drawn, conditions, rest, begun.settling, out, result);
+    if (rest && !begun.not_held.empty()) result.warnings.push_back(begun.not_held);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {static_cast<int>(out.passes.size()),
@@ -374,6 +383,7 @@ Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options, Time
                          Stopwatches seconds = fresh_stopwatches()) {
     Begun begun = begin_analysis(scene, seconds);
     Outcome out = solve_adaptively(begun.rest ? begun.rest->scene : scene, begun.conditions, options, seconds);
+    begun.not_held = not_held(scene, out);
     follow_motion(scene, begun.conditions, begun.settling, options, seconds, out, begun.rest);
     if (const std::set<int> closed = closed_on_themselves(begun.rest ? begun.rest->scene : scene, out.solved); !closed.empty())
         return analyze_checked(with_own_contacts(scene, closed), options, begin, std::move(seconds));
@@ -427,7 +437,9 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
         if (const auto there = let_go(scenes.front(), begun.front().conditions, outcomes.front())) {
             // friction remembers on grids that all steps share: all of them are where the first takes the parts
             problems.clear();
+            const std::string loose = not_held(scenes.front(), outcomes.front());
             for (std::size_t k = 0; k < scenes.size(); ++k) {
+                begun[k].not_held = loose;
                 begun[k].rest = Rest{placed(scenes[k], begun[k].conditions, *there), *there};
                 problems.push_back({&begun[k].rest->scene, &begun[k].conditions});
             }
@@ -435,6 +447,7 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
         }
     std::set<int> closed;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
+        if (!begun[k].rest) begun[k].not_held = not_held(scenes[k], outcomes[k]);
         follow_motion(scenes[k], begun[k].conditions, begun[k].settling, options, seconds, outcomes[k], begun[k].rest);
         closed.merge(closed_on_themselves(begun[k].rest ? begun[k].rest->scene : scenes[k], outcomes[k].solved));
     }

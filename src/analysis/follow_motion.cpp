@@ -242,13 +242,8 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
 std::optional<std::vector<Placement>> where_let_go(const Scene& drawn, const ResolvedConditions& conditions,
                                                    const Outcome& out) {
     if (has_answer(out) && !far_placements_of(drawn, out.solved)) return std::nullopt;
-    Settling there = settle(without_friction(drawn), conditions);
-    if (there.end == Settling::End::not_asked) return std::nullopt;
-    const bool would_slide = out.solved.solution.holding_factor > 0, is_answer = has_answer(out) && !drawn.in_steps;
-    if (Settling held = settle_until_held(drawn, conditions); held.end == Settling::End::rests)
-        there = std::move(held);
-    else if (would_slide || is_answer)
-        return std::nullopt;
+    Settling there = settle_until_held(drawn, conditions);
+    if (there.end == Settling::End::not_asked) there = settle(without_friction(drawn), conditions);
     if (there.end != Settling::End::rests) return std::nullopt;
     return short_of_rest(drawn, conditions, there.placements);
 }

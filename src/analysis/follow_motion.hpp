@@ -11,9 +11,9 @@ namespace abut {
 /// The place of rest that parts settle at as rigid bodies, if that is far from where they are drawn.
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling);
 
-/// Friction may hold parts where they are drawn. Where it does not they go where the loads take them without it, those that
-/// are pressed on nothing yet until it holds them; where there is an answer in which no part goes far, where they rest without
-/// it, if the answer has them there. Their placements, or nothing where they stay.
+/// Friction may hold parts where they are drawn. Where it does not they go where it holds them, or, beside parts that are led,
+/// where the loads take them without it; where there is an answer in which no part goes far, where they rest without it, if the
+/// answer has them there. Their placements, or nothing where they stay.
 std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out);
 
 /// Where nothing holds a part as drawn that rests a little beside, or pairs of where parts are drawn are why the target is

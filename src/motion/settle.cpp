@@ -42,10 +42,10 @@ constexpr double soft_lead = 1e-3;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
 constexpr double push_fraction = 1e-3, unstable_growth = 0.05;
 
-std::string why_not_settled(const Scene& scene, const ResolvedConditions& conditions) {
+std::string why_not_settled(const Scene& scene, const ResolvedConditions& conditions, bool with_friction = false) {
     if (const std::string why = why_not_followed(scene, conditions); !why.empty()) return why;
     if (scene.parts.size() < 2) return "there is nothing to rest on";
-    if (has_friction(scene.contacts)) return "friction may hold parts where they are drawn";
+    if (has_friction(scene.contacts) && !with_friction) return "friction may hold parts where they are drawn";
     if (has_fits(scene.contacts)) return "fits hold parts where they are drawn";
     return "";
 }
@@ -92,7 +92,8 @@ public:
     /// As settle_until_held says: parts fall until they touch, roll about where they do, and slide where friction gives way.
     Settling follow_until_held() {
         look();
-        if (!may_move() || led_.any() || do_all_touch()) return {Settling::End::not_asked, "", {}, {}, ""};
+        if (!may_move() || led_.any() || (closing_.overlaps && is_as_drawn()))
+            return {Settling::End::not_asked, "", {}, {}, ""};
         for (int k = 0; k < max_steps; ++k) {
             if (is_held() && move_apart()) return rest();
             VectorXd a = step_to_touch();
@@ -128,23 +129,6 @@ private:
         return closed;
     }
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
-    bool is_of_body(int part, const MovingPart& body) const {
-        return bodies_.of_part[at(part)] == bodies_.of_part[at(body.part)];
-    }
-    /// Is every part that is loaded pressed on another that it touches?
-    bool do_all_touch() const {
-        constexpr double pressed = 1e-3;  // of its loads
-        const std::vector<ClosingRow> closed = closed_rows();
-        const VectorXd forces =
-            settle_rigidly(step_problem(moving_, closed, leads_of_step(0), {spring_closing, 1})).multipliers;
-        return std::all_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
-            bool is_pressed = b.pull == 0;
-            for (std::size_t k = 0; k < closed.size() && !is_pressed; ++k)
-                is_pressed = (is_of_body(closed[k].first, b) || is_of_body(closed[k].second, b)) &&
-                             forces[static_cast<Index>(k)] > pressed * b.pull;
-            return is_pressed;
-        });
-    }
     /// Does friction hold all parts here?
     bool is_held() const {
         constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
@@ -581,6 +565,7 @@ Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const 
 
 Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions) {
     ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
+    if (const std::string why = why_not_settled(drawn, conditions, true); !why.empty()) return {Settling::End::not_asked, why};
     return settle_about_middle(drawn, conditions, {}, [](Way&& way) { return way.follow_until_held(); });
 }
 

@@ -36,7 +36,8 @@ Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const 
                 bool to_the_end = false);
 
 /// Follows the loads of a scene with friction: parts fall until they touch, roll about that, slide where friction gives way,
-/// and rest where it holds them all. Not asked where all loaded parts are pressed on others as drawn, or supports lead some.
+/// and rest where it holds them all. What slides is not slowed down, and what sticks not dragged along by more than friction
+/// bears. Not asked where supports lead some.
 Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions);
 /// The plan's row of it.
 Effect large_motion_effect(const Settling& settling);

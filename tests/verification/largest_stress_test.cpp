@@ -10,6 +10,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/analysis/singular_places.hpp"
 #include "src/scene/read_scene.hpp"
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut::largest_stress_test {
 namespace {
@@ -61,11 +62,6 @@ PartResult solved(const std::string& scene, std::vector<std::string>* warnings =
     return result.parts.at(0);
 }
 
-bool warns(const std::vector<std::string>& warnings, const std::string& words) {
-    return std::any_of(warnings.begin(), warnings.end(),
-                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
-}
-
 /// An ellipse b high in a plate 20 times as large: its sides raise the stress by 0.3 % at most.
 void expect_needle(double b, const std::string& scene) {
     constexpr double sides = 0.003;
@@ -96,7 +92,7 @@ TEST(LargestStress, AtAReentrantCornerHasNoLimitAndSaysSo) {
     const PartResult part = solved(l_shape, &warnings);
     EXPECT_TRUE(part.max_von_mises_at_corner);
     EXPECT_FALSE(part.max_von_mises_error);
-    EXPECT_TRUE(warns(warnings, "has no limit there"));
+    EXPECT_TRUE(test::warns(warnings, "has no limit there"));
 }
 
 /// The hole's stress is the largest on the first grids; a notch beside it has sharp corners.
@@ -111,9 +107,9 @@ TEST(LargestStress, ThatASharpCornerExceedsOnFinerGridsIsSaid) {
     const PartResult part = solved(notched(R"(, {"rectangle": {"min": [18.5, -0.5], "max": [21, 0.5]}})"), &warnings);
     EXPECT_FALSE(part.max_von_mises_at_corner);
     EXPECT_LT(part.max_von_mises.at.x(), 2);
-    EXPECT_TRUE(warns(warnings, "that at the sharp corner at (18.5, "));
+    EXPECT_TRUE(test::warns(warnings, "that at the sharp corner at (18.5, "));
     solved(notched(""), &warnings);
-    EXPECT_FALSE(warns(warnings, "corner"));
+    EXPECT_FALSE(test::warns(warnings, "corner"));
 }
 
 /// A saddle on a nose with sharp corners at its root: the saddle's stress is the largest on the first grids.
@@ -132,7 +128,7 @@ TEST(LargestStress, ThatASharpCornerOfAnotherPartExceedsIsSaidToo) {
     ASSERT_EQ(r.status, "ok") << r.message;
     EXPECT_GT(r.parts[1].max_von_mises.value, r.parts[0].max_von_mises.value);
     EXPECT_FALSE(r.parts[1].max_von_mises_at_corner);
-    EXPECT_TRUE(warns(r.warnings, "that at the sharp corner of base at (8, 0)"));
+    EXPECT_TRUE(test::warns(r.warnings, "that at the sharp corner of base at (8, 0)"));
 }
 
 /// An arm that a stop holds at its tip: the stop's stress is the largest on the first grids.
@@ -148,7 +144,7 @@ TEST(LargestStress, ThatTheEndOfASupportExceedsIsSaid) {
                              {});
     ASSERT_EQ(r.status, "ok") << r.message;
     EXPECT_GT(r.parts[1].max_von_mises.value, r.parts[0].max_von_mises.value);
-    EXPECT_TRUE(warns(r.warnings, "that at the end of a support of arm at (0, "));
+    EXPECT_TRUE(test::warns(r.warnings, "that at the end of a support of arm at (0, "));
 }
 
 /// Tables: 0.2888 for a right angle, 0.5 (and an oscillation) for half a turn, none for a sharp wedge; nu = 0.3, plane strain.
@@ -165,7 +161,7 @@ TEST(LargestStress, ThatTheGridsCannotShowIsWarnedOf) {
     scene.accuracy.cell_size = 0.5;
     const Result result = analyze(scene, {});
     ASSERT_TRUE(result.parts[0].max_von_mises_error);
-    EXPECT_TRUE(warns(result.warnings, "is uncertain by"));
+    EXPECT_TRUE(test::warns(result.warnings, "is uncertain by"));
     EXPECT_GT(*result.parts[0].max_von_mises_error, 0.9);  // it shows 1.6 of 101
 }
 

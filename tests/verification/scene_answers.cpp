@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -30,6 +31,11 @@ std::vector<Result> answer_of_cases(const std::string& json) {
 
 Result answer_file(const std::string& path) {
     return analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/" + path), {});
+}
+
+bool warns(const std::vector<std::string>& warnings, const std::string& words) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 std::string number(double v) {

@@ -15,6 +15,9 @@ std::vector<Result> answer_of_cases(const std::string& json);
 /// Analyses a file below the source folder.
 Result answer_file(const std::string& path);
 
+/// Do these words stand in one of the warnings?
+bool warns(const std::vector<std::string>& warnings, const std::string& words);
+
 /// "[x, y]" with all digits.
 std::string pair_text(double x, double y);
 std::string number(double v);

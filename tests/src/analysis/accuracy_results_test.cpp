@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut::accuracy_results_test {
 namespace {
@@ -31,11 +31,6 @@ Result filled(const Outcome& out, const std::vector<double>& of_pairs = {}) {
     result.contacts[0].parts = {"plate", "pin"};
     fill_errors(out, {of_pairs, {}}, result);
     return result;
-}
-
-bool is_warned(const Result& result, const std::string& words) {
-    return std::any_of(result.warnings.begin(), result.warnings.end(),
-                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 Result solved_in(double first_error, double last_error, double seconds) {
@@ -103,7 +98,7 @@ TEST(AccuracyResults, MissedTargetsSayWhy) {
         const Result result = filled(out);
         EXPECT_FALSE(result.accuracy.reached);
         EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;
-        EXPECT_TRUE(is_warned(result, "above the 1 % aimed at"));
+        EXPECT_TRUE(test::warns(result.warnings, "above the 1 % aimed at"));
         ASSERT_EQ(result.reasons.size(), 1u);
         EXPECT_EQ(result.reasons[0].kind, "accuracy");
         EXPECT_EQ(result.reasons[0].text, "contact pressures known to 3 %, not to 1 %");
@@ -119,8 +114,8 @@ TEST(AccuracyResults, PairsOfWherePartsWereDrawnCount) {
     EXPECT_NEAR(off.contacts[0].errors->pressure, 0.04, 2e-4);
     ASSERT_EQ(off.reasons.size(), 1u);
     EXPECT_EQ(off.reasons[0].kind, "accuracy");
-    EXPECT_TRUE(
-        is_warned(off, "contact 1 is paired where its parts are drawn, and they move away from there; draw plate and pin"));
+    EXPECT_TRUE(test::warns(
+        off.warnings, "contact 1 is paired where its parts are drawn, and they move away from there; draw plate and pin"));
     Outcome single = outcome(0.003, 0.002, PathEnd::no_need);  // of one solution, which has no estimate
     single.errors.back() = single.errors.front();
     const Result told = filled(single, {0.02});
@@ -194,12 +189,12 @@ TEST(AccuracyResults, DisplacementsOfAHeldPartErrByItsContactsAsFarAsTheyCarry) 
 }
 
 TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
-    EXPECT_TRUE(is_warned(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)), "uncertain by 20 %"));
+    EXPECT_TRUE(test::warns(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)).warnings, "uncertain by 20 %"));
     Outcome corner = outcome(0.005, 0, PathEnd::reached);
     corner.errors.back().contacts[0]->at_corner = true;
     corner.errors.back().contacts[0]->peak = 0.2;
-    EXPECT_TRUE(is_warned(filled(corner), "sharp corner"));
-    EXPECT_FALSE(is_warned(filled(corner), "uncertain"));
+    EXPECT_TRUE(test::warns(filled(corner).warnings, "sharp corner"));
+    EXPECT_FALSE(test::warns(filled(corner).warnings, "uncertain"));
     ASSERT_EQ(filled(corner).reasons.size(), 1u);
     EXPECT_EQ(filled(corner).reasons[0].kind, "corner");
 }

@@ -509,8 +509,8 @@ TEST(FollowMotion, OneStepIsWhatItsLoadsAreWithoutSteps) {
                     0.01 * plain.contacts[k].contact_length);
 }
 
-/// A block on a slope slides, bonded of two parts as in one piece: it is drawn where it touches, and friction does not hold it.
-TEST(FollowMotion, BondedPartsTouchWhatOneOfThemTouches) {
+/// What friction does not hold slides to what stops it, bonded of two parts as in one piece.
+TEST(FollowMotion, BondedPartsSlideToWhatStopsThemWhereFrictionGivesWay) {
     const auto on_slope = [](const std::string& more, const std::string& loads, const std::string& pairs) {
         return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
             {"name": "table", "material": "rigid", "geometry": {"rectangle": {"min": [-100, -20], "max": [100, 0]}}},
@@ -526,8 +526,28 @@ TEST(FollowMotion, BondedPartsTouchWhatOneOfThemTouches) {
                      R"(, {"name": "up", "material": "m", "geometry": {"rectangle": {"min": [-20, 10], "max": [0, 20]}}})",
                      R"(, {"part": "up", "force": [-25, -43.3]})",
                      R"(, "pairs": [{"between": ["low/*", "up/*"], "kind": "bonded"}])");
-    EXPECT_EQ(one.status, "failed");
-    EXPECT_EQ(two.status, "failed");
+    for (const Result* r : {&one, &two}) {
+        ASSERT_EQ(r->status, "ok") << r->message;
+        EXPECT_NEAR(r->parts.at(2).placement.value().translation.x(), -60, 1e-6);
+        EXPECT_NEAR(r->parts.at(2).placement.value().translation.y(), 0, 1e-6);
+        EXPECT_TRUE(test::warns(r->warnings, "low slides along (-1, 0)"));
+    }
+    EXPECT_TRUE(test::warns(one.warnings, "A coefficient of friction of 0.5774 would hold it, 0.3 does not"));
+}
+
+/// A block whose centre of gravity lies beside the one that it stands on tips, and leans on that in the end, which friction
+/// keeps where it is.
+TEST(FollowMotion, WhatTipsLeavesWhatFrictionHolds) {
+    const Result r = test::answer(R"({"abut": 1, "thickness": 100, "materials": {"m": {"E": 2.1e5, "nu": 0.3}}, "parts": [
+        {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-300, -50], "max": [400, 0]}}},
+        {"name": "low", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [100, 60]}}},
+        {"name": "up", "material": "m", "geometry": {"rectangle": {"min": [-125, 60], "max": [73, 120]}}}],
+        "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}],
+        "loads": [{"part": "low", "force": [0, -46]}, {"part": "up", "force": [0, -92]}],
+        "contacts": {"friction": 0.6}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_LT(r.parts.at(1).placement.value_or(PartResult::Moved{}).translation.norm(), 1e-3);
+    EXPECT_GT(r.parts.at(2).placement.value().rotation, 0.3);
 }
 
 }  // namespace abut::follow_motion_test
