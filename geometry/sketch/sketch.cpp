@@ -159,17 +159,23 @@ struct FoundPart {
     int number = 0;  ///< in the order in which they were found
 };
 
-/// Is the part no wider than ends of so large a one are joined across? It lies between two drawings of one outline.
-std::optional<SketchProblem> film_of(const FoundPart& found, const SketchOptions& options, const Vec2& origin) {
-    const double tolerance = options.tolerance > 0 ? options.tolerance : joining_fraction * bounding_box(found.part).diagonal();
-    const double width = 2 * area(found.part) / perimeter(found.part);
-    if (width > tolerance) return std::nullopt;
+/// Is the part no wider than ends of so large a one are joined across? It lies between two drawings of one outline. Where it is
+/// a ring that is hardly wider, that is in doubt.
+void tell_film(const FoundPart& found, const SketchOptions& options, const Vec2& origin, SketchParts& sketch) {
+    constexpr double doubtful_wall = 5e-4;  // of its size: less than any tube has that is not rolled of foil
+    const double size = bounding_box(found.part).diagonal(), width = 2 * area(found.part) / perimeter(found.part),
+                 tolerance = options.tolerance > 0 ? options.tolerance : joining_fraction * size;
     const Edge& edge = found.part.edges.front();
-    return SketchProblem{"part " + found.part.name + " is " + number_text(width) +
-                             " wide, less than what ends are joined across (" + number_text(tolerance) +
-                             "): its outline is drawn twice",
-                         point(edge.curve, 0) + origin, edge.name, found.line,
-                         "delete one of them, or give a smaller tolerance where it is a foil"};
+    const Vec2 place = point(edge.curve, 0) + origin;
+    if (width <= tolerance)
+        sketch.problems.push_back(
+            {"part " + found.part.name + " is " + number_text(width) + " wide, less than what ends are joined across (" +
+                 number_text(tolerance) + "): its outline is drawn twice",
+             place, edge.name, found.line, "delete one of them, or give a smaller tolerance where it is a foil"});
+    else if (found.part.loops.size() > 1 && width < doubtful_wall * size)
+        sketch.warnings.push_back({"part " + found.part.name + " is hollow, its wall only " + number_text(width) +
+                                       " thick: its outline may be drawn twice",
+                                   place, edge.name, found.line, "delete one of them where it is"});
 }
 
 /// `region_parts`: by region, its part among those found; -1 where it is none.
@@ -254,7 +260,7 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
     }
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
-        if (std::optional<SketchProblem> film = film_of(one, options, origin)) sketch.problems.push_back(std::move(*film));
+        tell_film(one, options, origin, sketch);
         sketch.parts.push_back(std::move(one.part));
         sketch.layers.push_back(std::move(one.label));
     }

@@ -115,7 +115,7 @@ SketchProblem gap_problem(const std::vector<SketchPiece>& entities, const Gap& g
              : gap.width() <= tolerance
                  ? "they run beside each other there: remove the one that is drawn twice"
                  : "close the gap in CAD or give a larger tolerance (it was " + number_text(tolerance) + ")") +
-                std::string(", or leave it out as no outline (--leave-open)")};
+                std::string(", or leave it out as no outline (--leave-open, or \"leave_open\" in a scene)")};
 }
 
 std::string kind_of(const LooseEntities& loose) {

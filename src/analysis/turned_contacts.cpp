@@ -355,7 +355,8 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
                               text + ", which the answer leaves out: forces may be off by more than their errors say" + advice,
                               text});
         }
-        if (const double share = beyond_friction(solved, lines[k], moved.change[k]); share > noted) {
+        const bool carries = (lines[k].force + moved.change[k]).norm() > noted * largest;
+        if (const double share = beyond_friction(solved, lines[k], moved.change[k]); carries && share > noted) {
             const std::string text = "where parts have moved to, friction in contact " + number + " would have to bear " +
                                      percent_text(share) + " more than it can";
             frictions.push_back({share, "contact " + number, text + advice, text});

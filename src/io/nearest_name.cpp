@@ -54,9 +54,13 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 
 std::string nearest_name_hint(const std::string& word, const std::vector<std::string>& known) {
     if (known.empty()) return "";
+    const std::string list = "known here: " + listed(known);
+    const auto has_word = [&](const std::string& name) { return !word.empty() && name.find(word) != std::string::npos; };
+    const auto longer = std::find_if(known.begin(), known.end(), has_word);
+    if (longer != known.end() && std::none_of(longer + 1, known.end(), has_word))
+        return "did you mean '" + *longer + "'? " + list;
     const std::string nearest = nearest_name(word, known);
     const double alike = edit_distance(word.substr(0, longest_compared), nearest);
-    const std::string list = "known here: " + listed(known);
     if (alike > least_resemblance * static_cast<double>(std::max(word.size(), nearest.size()))) return list;
     return "did you mean '" + nearest + "'? " + list;
 }

@@ -50,6 +50,15 @@ TEST(SketchMaterial, WhatFloatsInAHoleIsTold) {
     EXPECT_TRUE(pin.warnings.empty());
 }
 
+TEST(SketchMaterial, AnOutlineThatMayBeDrawnTwiceIsTold) {
+    const auto ring = [](double wall) {
+        return parts_by({drawn_circle({0, 0}, 15, "a"), drawn_circle({0, 0}, 15 - wall, "b")}, PartsBy::loop);
+    };
+    EXPECT_TRUE(tells(ring(0.01), "is hollow, its wall only 0.01 thick: its outline may be drawn twice"));
+    EXPECT_TRUE(ring(0.1).warnings.empty());
+    EXPECT_FALSE(ring(0.0001).problems.empty());
+}
+
 TEST(SketchMaterial, ABushIsAroundAPinWithClearance) {
     const Entities rings{drawn_circle({0, 0}, 15, "a"), drawn_circle({0, 0}, 10, "b"), drawn_circle({0, 0}, 9.95, "c")};
     const SketchParts sketch = parts_by(plate + rings, PartsBy::loop);
