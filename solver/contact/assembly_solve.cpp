@@ -431,6 +431,7 @@ public:
         for (const FrictionRow& f : all.friction) taken_[at(f.tangential)] = 0;
         knows_some_ = all.expected.size() > 0 && !all.expected.isZero(0);
         take_with_neighbours(knows_some_ ? all.expected : settled_forces());
+        if (!problem.before.empty()) take_with_neighbours(closed_under(displacements_before(), gap_rounding));
     }
 
     bool is_all() const { return std::find(taken_.begin(), taken_.end(), 0) == taken_.end(); }
@@ -461,15 +462,7 @@ public:
 
     /// Takes the rows, with their neighbours, that penetrate under the displacements of a solution. False: none does.
     bool take_penetrating(const RowsSolution& under) {
-        VectorXd opening = VectorXd::Zero(all_.rows.n);
-        for (std::size_t i = 0; i < problem_.parts.size(); ++i)
-            opening += opening_of(all_.rows, i, under.solution.displacement[i]);
-        const VectorXd gap = all_.rows.gap0 + opening, w = all_.rows.weight;
-        const double rounding = gap_rounding * opening.cwiseQuotient(w).cwiseAbs().maxCoeff();
-        VectorXd penetrating = VectorXd::Zero(gap.size());
-        for (Index row = 0; row < gap.size(); ++row)
-            penetrating[row] = !taken_[static_cast<std::size_t>(row)] && all_.rows.unilateral[static_cast<std::size_t>(row)] &&
-                               gap[row] < -rounding * w[row];
+        const VectorXd penetrating = closed_under(under.solution.displacement, -gap_rounding);
         if (penetrating.isZero(0)) return false;
         expected_ = spread(under.multipliers);
         take_with_neighbours(penetrating);
@@ -477,6 +470,23 @@ public:
     }
 
 private:
+    /// Not zero: rows that are not taken yet, whose gaps are smaller than this under displacements, of the largest opening.
+    VectorXd closed_under(const std::vector<VectorXd>& displacement, double least) const {
+        VectorXd opening = VectorXd::Zero(all_.rows.n);
+        for (std::size_t i = 0; i < problem_.parts.size(); ++i) opening += opening_of(all_.rows, i, displacement[i]);
+        const VectorXd gap = all_.rows.gap0 + opening, w = all_.rows.weight;
+        const double rounding = least * opening.cwiseQuotient(w).cwiseAbs().maxCoeff();
+        VectorXd closed = VectorXd::Zero(gap.size());
+        for (Index row = 0; row < gap.size(); ++row)
+            closed[row] = !taken_[static_cast<std::size_t>(row)] && all_.rows.unilateral[static_cast<std::size_t>(row)] &&
+                          gap[row] < rounding * w[row];
+        return closed;
+    }
+    std::vector<VectorXd> displacements_before() const {
+        std::vector<VectorXd> displacement;
+        for (const StateBefore& before : problem_.before) displacement.push_back(before.displacement);
+        return displacement;
+    }
     /// Where rigid bodies would settle.
     VectorXd settled_forces() const {
         ContactQp qp = rigid_problem(problem_.parts, all_.rows, problem_.load_scale);

@@ -156,6 +156,33 @@ TEST(FrictionAnalysis, DiscsThatPartRestSideBySide) {
     EXPECT_EQ(discs(0.3).status, "ok");
 }
 
+/// Four courses of bricks, pushed and let go: what was pressed while they were pushed takes part when they are let go, although
+/// other faces are pressed then. So many rows are not all taken.
+TEST(FrictionAnalysis, AWallThatHeldHoldsWhenItIsLetGo) {
+    std::string bricks;
+    const auto add = [&](int row, int k, int from, int to) {
+        bricks += R"(, {"name": "b)" + std::to_string(row) + "_" + std::to_string(k) +
+                  R"(", "material": "b", "geometry": {"rectangle": {"min": )" + test::pair_text(from, 60 * row) +
+                  R"(, "max": )" + test::pair_text(to, 60 * (row + 1)) + "}}}";
+    };
+    for (int row = 0; row < 4; ++row)
+        for (int k = 0; k < 3 + row % 2; ++k)
+            add(row, k, std::max(0, 200 * k - 100 * (row % 2)), std::min(600, 200 * (k + 1) - 100 * (row % 2)));
+    const std::vector<Result> steps = test::answer_of_cases(R"({"abut": 1, "thickness": 100,
+        "materials": {"m": {"E": 2.1e5, "nu": 0.3, "density": 0}, "b": {"E": 1e4, "nu": 0.2, "density": 2e-9}}, "parts": [
+        {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-200, -50], "max": [800, 0]}}})" +
+                                                            bricks +
+                                                            R"(], "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}],
+        "loads": [{"name": "g", "gravity": [0, -9810]}, {"name": "h", "on": "b3_0/left", "force": [15, 0]}],
+        "contacts": {"friction": 0.6}, "accuracy": {"level": "draft"}, "steps": [{"name": "rest", "loads": {"g": 1}},
+        {"name": "push", "loads": {"g": 1, "h": 1}}, {"name": "let go", "loads": {"g": 1}}]})");
+    ASSERT_EQ(steps.size(), 3U);
+    for (const Result& r : steps) {
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_FALSE(test::warns(r.warnings, "depends on the way of the loads")) << "not followed";
+    }
+}
+
 TEST(FrictionAnalysis, RemembersFromStepToStep) {
     Blocks blocks;
     blocks.more = R"(, "steps": [{"name": "press", "loads": {"press": 1}}, {"name": "push", "loads": {"press": 1, "push": 1}},
