@@ -447,6 +447,27 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
     return best ? std::move(*best) : solve_from_anywhere(qp);
 }
 
+ContactQpResult solve_held_with_friction(const ContactQp& qp) {
+    ContactQpResult result;
+    const Settled start = settle_rigidly(qp);
+    const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
+    VectorXd pressures = start.multipliers;
+    for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
+    const ContactState at_rest{pressures, VectorXd::Zero(qp.modes.cols()), qp.compliance * pressures};
+    ContactState state = at_rest;
+    result.active = states_of(qp, pressures);
+    const ActiveSet sticks = result.active;
+    result.converged = search_exactly(near, state, result);
+    if (!result.converged) {
+        state = at_rest;
+        result.active = sticks;
+        result.converged = pivot_states(near, no_term(qp.modes.cols()), result.active, state, result.iterations) &&
+                           meets_conditions(near, state);
+    }
+    write_answer(near, start.amplitudes, state, result);
+    return result;
+}
+
 /// The other end to begin at: all that is pressed slips, the way that the bodies moved as they settled.
 bool has_another_answer(const ContactQp& qp, const ContactQpResult& result) {
     const auto is_large = [](const FrictionRow& f) {

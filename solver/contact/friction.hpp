@@ -39,6 +39,10 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 /// result says what was taken, and what slips.
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
+/// Solves the contact problem with friction where rows that are bilateral hold all motions, by their springs, so that nothing
+/// slides on and on: Newton steps from the bodies at rest without friction, else pivots from there.
+ContactQpResult solve_held_with_friction(const ContactQp& qp);
+
 /// Several answers are possible where coefficients are large: is there another one, found from everything slipping?
 bool has_another_answer(const ContactQp& qp, const ContactQpResult& answer);
 

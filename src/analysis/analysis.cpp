@@ -66,7 +66,8 @@ std::string holding_friction(const Outcome& out) {
     std::set<double> coefficients;
     for (const Candidate& c : out.candidates)
         if (c.friction > 0 && !c.bonded) coefficients.insert(c.friction);
-    if (factor == 0 || coefficients.empty()) return "";
+    constexpr double most_usual = 5;  // what scenes are warned of: with more, bodies would roll or tip instead
+    if (factor == 0 || coefficients.empty() || factor * *coefficients.rbegin() > most_usual) return "";
     if (coefficients.size() == 1)
         return ". A coefficient of friction of " + number_beside(*coefficients.begin() * factor, *coefficients.begin(), 4) +
                " would hold it, " + number_text(*coefficients.begin(), 4) + " does not";

@@ -238,11 +238,20 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
     tell(std::move(findings), "displacement", result);
 }
 
+/// Do parts turn by more than small displacements are good for?
+bool turn_far(const SolvedAssembly& solved) {
+    for (std::size_t k = 0; k < solved.grids.size(); ++k)
+        if (std::abs(rigid_motion_of(solved, k).rotation) > placed_fraction) return true;
+    return false;
+}
+
 /// Where parts go that friction does not hold, far from where they are drawn; nothing where it does, or none is known.
 std::optional<std::vector<Placement>> where_let_go(const Scene& drawn, const ResolvedConditions& conditions,
                                                    const Outcome& out) {
-    if (has_answer(out) && !far_placements_of(drawn, out.solved)) return std::nullopt;
-    Settling there = settle_until_held(drawn, conditions);
+    const bool goes_on = has_answer(out) && do_parts_go_on(drawn, out.solved), is_answer = has_answer(out) && !drawn.in_steps;
+    if (has_answer(out) && !goes_on && !far_placements_of(drawn, out.solved)) return std::nullopt;
+    Settling there = settle_until_held(drawn, conditions, !is_answer || goes_on || turn_far(out.solved));
+    if (there.end == Settling::End::not_asked && (is_answer || out.solved.solution.holding_factor > 0)) return std::nullopt;
     if (there.end == Settling::End::not_asked) there = settle(without_friction(drawn), conditions);
     if (there.end != Settling::End::rests) return std::nullopt;
     return short_of_rest(drawn, conditions, there.placements);

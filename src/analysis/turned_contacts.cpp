@@ -180,13 +180,13 @@ double beyond_friction(const SolvedAssembly& solved, const MovedForce& line, con
 
 /// The share of what drives a part that nothing balances where the part has gone; 0: nothing that counts beside how well the
 /// places of its contacts' forces are known drives it.
-double share_not_held(const SolvedAssembly& solved, const Result& result, const Balance& b,
-                      const std::vector<MovedForce>& lines, const Rebalanced& moved, std::size_t part) {
+double share_not_held(const SolvedAssembly& solved, const Balance& b, const std::vector<MovedForce>& lines,
+                      const Rebalanced& moved, std::size_t part) {
     double known = 0, driven = 0, left = 0;
     for (const MovedForce& l : lines)
         for (const int side : {0, 1})
             if (at(solved.contacts[l.contact].face.part[at(side)]) == part)
-                known += known_within_contact * 0.5 * result.contacts[l.contact].contact_length * l.force.norm();
+                known += known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) * l.force.norm();
     for (std::size_t row = 0; row < b.part.size(); ++row) {
         if (b.part[row] != part) continue;
         const auto r = static_cast<Index>(row);
@@ -309,6 +309,16 @@ bool are_forces_turned(const Scene& scene, const Outcome& out) {
     return most > noted_turn * out.target * largest;
 }
 
+bool do_parts_go_on(const Scene& scene, const SolvedAssembly& solved) {
+    constexpr double most = 0.5;  // of what drives a part
+    const auto [balance, motions, lines] = turned_of(scene, solved);
+    if (lines.empty() || balance.part.empty()) return false;
+    const Rebalanced moved = rebalanced(solved, balance, lines, motions);
+    for (std::size_t i = 0; i < solved.grids.size(); ++i)
+        if (share_not_held(solved, balance, lines, moved, i) > most) return true;
+    return false;
+}
+
 std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solved) {
     std::vector<double> shares(solved.contacts.size(), 0);
     const auto [balance, motions, lines] = turned_of(scene, solved);
@@ -367,7 +377,7 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
         double share = 0;
         for (std::size_t row = 0; row < balance.part.size(); ++row)
             if (balance.part[row] == i) share = std::max(share, std::abs(moved.left[static_cast<Index>(row)]) / largest);
-        if (const double rolling = share_not_held(solved, result, balance, lines, moved, i); rolling > noted) {
+        if (const double rolling = share_not_held(solved, balance, lines, moved, i); rolling > noted) {
             const std::string text = "part " + name + " is driven by its loads in a motion in which " + percent_text(rolling) +
                                      " of them is not balanced where it has moved to";
             motions_left.push_back({rolling, name,

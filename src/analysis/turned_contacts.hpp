@@ -10,6 +10,10 @@ namespace abut {
 /// Do rigid motions of parts turn the normals of contacts so that forces change by more than they are to be known to?
 bool are_forces_turned(const Scene& scene, const Outcome& out);
 
+/// Does nothing but contact that small displacements move along with a part, while its loads stay, hold most of what drives it:
+/// a disc that rolls?
+bool do_parts_go_on(const Scene& scene, const SolvedAssembly& solved);
+
 /// The share by which each contact's force changes as rigid motions of parts that are not followed turn and move it, 1 at most.
 /// Bonds, across which parts are as one, have none.
 std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solved);

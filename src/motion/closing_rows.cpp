@@ -51,10 +51,18 @@ private:
                                (1 - share) * c_.zone.begin2 + share * c_.zone.end2);
     }
 
-    void take(const geometry::FacingPair& p) {
+    void take(const geometry::FacingPair& p, bool is_beside = false) {
         if (!p.found || p.gap > far_) return;
         rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap, pivot(p.on1, p.on2), pivot(p.on2, p.on1),
-                         c_.friction});
+                         c_.friction, is_beside});
+    }
+
+    /// Does a gap grow from another one as between round faces, one of which may be flat?
+    static bool grows_by_curvature(const geometry::FacingPair& p, const geometry::FacingPair& from) {
+        constexpr double much = 0.5;  // of what curvatures say
+        const double curvature = from.on1.curvature + from.on2.curvature;
+        return from.on1.curvature >= 0 && from.on2.curvature >= 0 && curvature > 0 &&
+               p.gap - from.gap >= much * 0.5 * curvature * (p.on1.x - from.on1.x).squaredNorm();
     }
 
     static Vec2 pivot(const geometry::ChainPoint& own, const geometry::ChainPoint& other) {
@@ -78,12 +86,16 @@ private:
             (is_below ? high : low) = is_below ? b : a;
         }
         const double least = where_normals_oppose(0.5 * (low + high), known_by_gap * (end - begin));
-        take(pair_at(least));
+        const geometry::FacingPair closest = pair_at(least);
+        take(closest);
         double offset = 0.5 * (end - begin);
         for (int i = 0; i < halvings; ++i) {
             offset *= 0.5;
             for (const double s : {least - offset, least + offset})
-                if (s > c_.zone.begin1 && s < c_.zone.end1) take(pair_at(s));
+                if (s > c_.zone.begin1 && s < c_.zone.end1) {
+                    const geometry::FacingPair pair = pair_at(s);
+                    take(pair, grows_by_curvature(pair, closest));
+                }
         }
     }
 

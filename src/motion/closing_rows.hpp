@@ -15,7 +15,9 @@ struct ClosingRow {
     /// What a force along the normal acts in, however the parts turn: the centres of a round part and of the hollow about it,
     /// else the points themselves.
     Vec2 pivot1, pivot2;
-    double friction = 0;  ///< coefficient; infinite: rough
+    double friction = 0;     ///< coefficient; infinite: rough
+    bool is_beside = false;  ///< of where a round face is closest to a flat or round one: it opens as much by its curvature as
+                             ///< it closes by rolling
 };
 
 /// The gaps between parts where they are, and the deepest overlap, over the extent of the smaller part.

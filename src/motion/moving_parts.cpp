@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -180,6 +178,12 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
     return moving;
 }
 
+double farthest_in_steps(const MovingParts& moving, const VectorXd& amplitudes) {
+    double far = 0;
+    for (const MovingPart& p : moving.list) far = std::max(far, p.own(amplitudes).norm() / (step_fraction * p.size));
+    return far;
+}
+
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by, const std::vector<double>& across) {
     ENSURE(leads.size() == moving.of_part.size() && (by.turns.empty() || by.turns.size() == moving.of_part.size()),
@@ -225,39 +229,6 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     }
     qp.gap = qp.drawn_gap;
     return qp;
-}
-
-VectorXd step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                            Resisted by, double touching) {
-    constexpr double trifle = 1e-3;  // of the smaller one's loads: friction of as little is what springs prestress
-    struct Forces {
-        double across = 0, along = 0, coefficient = 0, loads = std::numeric_limits<double>::infinity();
-        bool is_too_much() const {
-            return std::abs(along) > std::min(coefficient, solver::rough_coefficient) * across + trifle * loads;
-        }
-    };
-    by.sticks.resize(gaps.size());
-    std::transform(gaps.begin(), gaps.end(), by.sticks.begin(), [&](const ClosingRow& row) { return row.gap <= touching; });
-    while (true) {
-        const solver::Settled settled = settle_rigidly(step_problem(moving, gaps, leads, by));
-        std::map<std::pair<int, int>, Forces> of_pair;
-        auto along = static_cast<Index>(gaps.size());
-        for (std::size_t k = 0; k < gaps.size(); ++k) {
-            Forces& f = of_pair[{gaps[k].first, gaps[k].second}];
-            f.across += settled.multipliers[static_cast<Index>(k)];
-            if (by.sticks[k]) f.along += settled.multipliers[along++];
-            f.coefficient = std::max(f.coefficient, gaps[k].friction);
-            for (const int part : {gaps[k].first, gaps[k].second})
-                if (const int i = moving.of_part[at(part)]; i >= 0) f.loads = std::min(f.loads, moving.list[at(i)].pull);
-        }
-        bool any = false;
-        for (std::size_t k = 0; k < gaps.size(); ++k) {
-            if (!by.sticks[k] || !of_pair[{gaps[k].first, gaps[k].second}].is_too_much()) continue;
-            by.sticks[k] = 0;
-            any = true;
-        }
-        if (!any) return settled.amplitudes;
-    }
 }
 
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps) {

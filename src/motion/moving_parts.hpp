@@ -52,6 +52,15 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 inline constexpr double step_fraction = 0.1;
 /// A part is there when what is left of its way is less than this fraction of its size.
 inline constexpr double arrived_fraction = 1e-4;
+/// How far the loads press the springs along the gaps together, of the smallest part's size. What they tilt a part by must
+/// drive it less than the least drag holds.
+inline constexpr double spring_closing = 1e-9;
+/// The drag is that of the loads over a step's length times a factor between this and one. What drives a part by less of its
+/// loads is the rounding of drawings, and holds as balanced.
+inline constexpr double least_drag = 1e-6, drag_step = 1e-2;
+/// The longest motion, in steps' lengths.
+double farthest_in_steps(const MovingParts& moving, const Eigen::VectorXd& amplitudes);
+
 /// How a step is resisted: closing: of the smallest part's size, how far the loads press the springs along the gaps together;
 /// drag: of the parts' loads over a step's length, on every motion.
 struct Resisted {
@@ -67,12 +76,6 @@ struct Resisted {
 /// as this step is to take them. across: by gap, the stiffness between its pivots across its normal; empty: none.
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by, const std::vector<double>& across = {});
-
-/// The amplitudes of a step with friction: gaps no wider than `touching` stick, but for those of parts between which more force
-/// would act along their faces than friction bears under what acts across; these slide, without any. Where only prestress could
-/// hold, they do.
-Eigen::VectorXd step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
-                                   const std::vector<Lead>& leads, Resisted by, double touching);
 
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 
 #include "solver/contact/assembly_solve.hpp"
 #include "solver/contact/rigid_settle.hpp"
@@ -13,6 +14,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/search_distances.hpp"
 #include "src/motion/closing_rows.hpp"
+#include "src/motion/friction_steps.hpp"
 #include "src/motion/led_parts.hpp"
 #include "src/motion/moving_parts.hpp"
 #include "src/motion/relaxation.hpp"
@@ -29,14 +31,9 @@ constexpr int max_steps = 600;
 constexpr double step_overlap = 0.01;
 /// Likewise: more than this at the end is no rest.
 constexpr double overlap_at_rest = 1e-4;
-/// Of the smallest part's size: how far the loads press the springs along the gaps together. What they tilt a part by must
-/// drive it less than the least drag holds.
-constexpr double spring_closing = 1e-9;
 /// Of a motion: smaller digits are rounding; of a part's size: what moves less has not moved.
 constexpr double rest_digits = 1e-11, moved_at_all = 1e-7;
-/// Of a part's loads: what drives it less is the rounding of drawings, and holds as balanced. The drag is that of the loads
-/// over a step's length times a factor between this and one.
-constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
+constexpr double most_drag = 1e3;
 /// Of the stiffness of gaps: what leads parts on the way gives way to gaps, and to nothing else.
 constexpr double soft_lead = 1e-3;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
@@ -90,53 +87,31 @@ public:
     }
 
     /// As settle_until_held says: parts fall until they touch, roll about where they do, and slide where friction gives way.
-    Settling follow_until_held() {
+    Settling follow_until_held(bool also_pressed) {
         look();
-        if (!may_move() || led_.any() || (closing_.overlaps && is_as_drawn()))
+        if (!may_move() || led_.any() || (closing_.overlaps && is_as_drawn()) ||
+            (!also_pressed && are_all_pressed(moving_, rolling(), leads_of_step(0), touching())))
             return {Settling::End::not_asked, "", {}, {}, ""};
         for (int k = 0; k < max_steps; ++k) {
-            if (is_held() && move_apart()) return rest();
-            VectorXd a = step_to_touch();
+            const std::vector<ClosingRow> rows = rolling();
+            if (are_held(moving_, rows, leads_of_step(0), touching()) && move_apart()) return rest();
+            const std::optional<VectorXd> step = step_to_touch(moving_, rows, leads_of_step(0), touching());
+            if (!step) return lost();
+            VectorXd a = *step;
             if (farthest(a) * step_fraction <= rest_digits) return lost();
             const std::vector<double> distance = distances_to_others();
             while (!advance(a)) {
                 a *= 0.5;
                 if (farthest(a) < arrived_fraction) return lost();
             }
-            if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
+            if (const int gone = part_that_left(distance, false); gone >= 0) return never(gone);
         }
         return lost();
     }
 
 private:
-    /// A step on the gaps that are closed, as far as the first of the others lets it.
-    VectorXd step_to_touch() const {
-        const Resisted by{spring_closing, 1};
-        VectorXd a = step_with_friction(moving_, closed_rows(), leads_of_step(0), by, touching());
-        a /= std::max(1.0, farthest(a));
-        const VectorXd rate = step_problem(moving_, closing_.rows, leads_of_step(0), by).modes * a;
-        double share = 1;
-        for (std::size_t k = 0; k < closing_.rows.size(); ++k)
-            if (const double gap = closing_.rows[k].gap, to = rate[static_cast<Index>(k)]; gap > touching() && to < 0)
-                share = std::min(share, gap / -to);
-        return share * a;
-    }
-
-    std::vector<ClosingRow> closed_rows() const {
-        std::vector<ClosingRow> closed;
-        std::copy_if(closing_.rows.begin(), closing_.rows.end(), std::back_inserter(closed),
-                     [&](const ClosingRow& row) { return row.gap <= touching(); });
-        return closed;
-    }
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
-    /// Does friction hold all parts here?
-    bool is_held() const {
-        constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
-        const VectorXd a =
-            step_with_friction(moving_, closing_.rows, leads_of_step(0), {spring_closing, least_drag}, touching());
-        return std::all_of(moving_.list.begin(), moving_.list.end(),
-                           [&](const MovingPart& b) { return b.own(a).norm() <= at_rest * touching(); });
-    }
+    std::vector<ClosingRow> rolling() const { return rolling_rows(closing_.rows, touching()); }
     /// Moves parts out of each other, and nowhere else. False: they still overlap.
     bool move_apart() {
         constexpr int most_steps = 5;
@@ -415,12 +390,7 @@ private:
         return a * share_driven(a);
     }
 
-    /// The longest motion, in steps' lengths.
-    double farthest(const VectorXd& a) const {
-        double far = 0;
-        for (const MovingPart& b : moving_.list) far = std::max(far, b.own(a).norm() / (step_fraction * b.size));
-        return far;
-    }
+    double farthest(const VectorXd& a) const { return farthest_in_steps(moving_, a); }
 
     bool goes_far(const VectorXd& a) const {
         return std::any_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
@@ -474,13 +444,14 @@ private:
         return distances;
     }
 
-    /// A part that goes away from all others, or turns all the way round.
-    int part_that_left(const std::vector<double>& distance) const {
+    /// A part that goes away from all others or, where none rolls along another, turns all the way round.
+    int part_that_left(const std::vector<double>& distance, bool none_rolls = true) const {
         for (const MovingPart& b : moving_.list) {
             const std::size_t i = at(b.part);
             if (led_.has_way(i)) continue;
             const double now = distance_to_others(i);
-            if ((now > b.size && now > distance[i]) || std::abs(placements_[i].angle) > 2 * std::numbers::pi) return b.part;
+            const bool has_turned = none_rolls && std::abs(placements_[i].angle) > 2 * std::numbers::pi;
+            if ((now > b.size && now > distance[i]) || has_turned) return b.part;
         }
         return -1;
     }
@@ -563,10 +534,10 @@ Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const 
     return settle_about_middle(drawn, conditions, from, [&](Way&& way) { return way.follow(to_the_end); });
 }
 
-Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions) {
+Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions, bool also_pressed) {
     ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
     if (const std::string why = why_not_settled(drawn, conditions, true); !why.empty()) return {Settling::End::not_asked, why};
-    return settle_about_middle(drawn, conditions, {}, [](Way&& way) { return way.follow_until_held(); });
+    return settle_about_middle(drawn, conditions, {}, [&](Way&& way) { return way.follow_until_held(also_pressed); });
 }
 
 Effect large_motion_effect(const Settling& settling) {

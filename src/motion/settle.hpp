@@ -35,10 +35,10 @@ struct Settling {
 Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from = {},
                 bool to_the_end = false);
 
-/// Follows the loads of a scene with friction: parts fall until they touch, roll about that, slide where friction gives way,
-/// and rest where it holds them all. What slides is not slowed down, and what sticks not dragged along by more than friction
-/// bears. Not asked where supports lead some.
-Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions);
+/// Follows the loads of a scene with friction: parts fall until they touch, roll, slide and tip about that, and rest where
+/// friction holds them all. Not asked where supports lead some or, unless `also_pressed`, where all loaded parts are pressed on
+/// others as drawn.
+Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions, bool also_pressed);
 /// The plan's row of it.
 Effect large_motion_effect(const Settling& settling);
 

@@ -424,5 +424,29 @@ TEST(Friction, ViolationsAreSeen) {
     EXPECT_NEAR(friction_residual(qp, c), 0.05, 1e-12) << "at its bound along the slip";
 }
 
+/// A body in the plane on one spring with friction, dragged on springs that hold it: it slides by what friction leaves.
+TEST(Friction, WhatSpringsHoldSlidesByWhatFrictionLeaves) {
+    constexpr double spring = 1e6, drag = 10, weight = 8, push = 5, coefficient = 0.25;
+    ContactQp qp{VectorXd(Eigen::Vector4d(1 / spring, 1 / spring, 1 / drag, 1 / drag)).asDiagonal().toDenseMatrix(),
+                 VectorXd::Zero(4),
+                 MatrixXd::Zero(4, 2),
+                 Eigen::Vector2d(push, -weight),
+                 {1, 0, 0, 0},
+                 Eigen::Vector4d(spring, spring, drag, drag),
+                 VectorXd::Zero(4),
+                 weight};
+    qp.modes << 0, 1, 1, 0, 1, 0, 0, 1;
+    qp.friction = {{0, 1, coefficient}};
+    const ContactQpResult slides = solve_held_with_friction(qp);
+    ASSERT_TRUE(slides.converged);
+    const double pressure = weight * spring / (spring + drag);
+    EXPECT_NEAR(slides.multipliers[0], pressure, 1e-9);
+    EXPECT_NEAR(slides.amplitudes()[0], (push - coefficient * pressure) / drag, 1e-9);
+    qp.friction[0].coefficient = 0.7;
+    const ContactQpResult sticks = solve_held_with_friction(qp);
+    ASSERT_TRUE(sticks.converged);
+    EXPECT_NEAR(sticks.amplitudes()[0], push / (spring + drag), 1e-12);
+}
+
 }  // namespace
 }  // namespace abut::solver::friction_test

@@ -535,19 +535,4 @@ TEST(FollowMotion, BondedPartsSlideToWhatStopsThemWhereFrictionGivesWay) {
     EXPECT_TRUE(test::warns(one.warnings, "A coefficient of friction of 0.5774 would hold it, 0.3 does not"));
 }
 
-/// A block whose centre of gravity lies beside the one that it stands on tips, and leans on that in the end, which friction
-/// keeps where it is.
-TEST(FollowMotion, WhatTipsLeavesWhatFrictionHolds) {
-    const Result r = test::answer(R"({"abut": 1, "thickness": 100, "materials": {"m": {"E": 2.1e5, "nu": 0.3}}, "parts": [
-        {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-300, -50], "max": [400, 0]}}},
-        {"name": "low", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [100, 60]}}},
-        {"name": "up", "material": "m", "geometry": {"rectangle": {"min": [-125, 60], "max": [73, 120]}}}],
-        "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}],
-        "loads": [{"part": "low", "force": [0, -46]}, {"part": "up", "force": [0, -92]}],
-        "contacts": {"friction": 0.6}})");
-    ASSERT_EQ(r.status, "ok") << r.message;
-    EXPECT_LT(r.parts.at(1).placement.value_or(PartResult::Moved{}).translation.norm(), 1e-3);
-    EXPECT_GT(r.parts.at(2).placement.value().rotation, 0.3);
-}
-
 }  // namespace abut::follow_motion_test

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/friction_steps.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "solver/contact/friction.hpp"
+#include "solver/contact/rigid_settle.hpp"
+#include "src/base/index.hpp"
+
+namespace abut {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// As spring_closing, of steps in which states of friction are sought: springs a hundred times as soft.
+constexpr double friction_closing = 1e-7;
+
+bool is_closed(const ClosingRow& row, double touching) {
+    return row.gap <= touching;
+}
+std::vector<ClosingRow> closed_among(std::vector<ClosingRow> rows, double touching) {
+    std::erase_if(rows, [&](const ClosingRow& row) { return !is_closed(row, touching); });
+    return rows;
+}
+
+/// The amplitudes of a step with friction in closed gaps; nothing where they are not found.
+std::optional<VectorXd> step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
+                                           const std::vector<Lead>& leads, double drag, double touching) {
+    constexpr double found = 1e-6;  // of forces and gaps: what the least drag takes as balanced
+    Resisted by{friction_closing, drag};
+    std::transform(gaps.begin(), gaps.end(), std::back_inserter(by.sticks),
+                   [&](const ClosingRow& row) { return is_closed(row, touching) && row.friction > 0; });
+    solver::ContactQp qp = step_problem(moving, gaps, leads, by);
+    int along = static_cast<int>(gaps.size());
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+        if (by.sticks[k])
+            qp.friction.push_back({static_cast<int>(k), along++, std::min(gaps[k].friction, solver::rough_coefficient)});
+    qp.compliance = Eigen::MatrixXd(qp.foundation.cwiseInverse().asDiagonal());
+    const solver::ContactQpResult result = solve_held_with_friction(qp);
+    if (!(result.residual <= found)) return std::nullopt;
+    return result.amplitudes();
+}
+
+}  // namespace
+
+std::vector<ClosingRow> rolling_rows(const std::vector<ClosingRow>& rows, double touching) {
+    std::vector<ClosingRow> rolling;
+    const auto is_same = [&](const ClosingRow& a, const ClosingRow& b) {
+        return a.first == b.first && a.second == b.second && (a.x1 - b.x1).norm() + (a.x2 - b.x2).norm() <= touching;
+    };
+    for (const ClosingRow& row : rows)
+        if (!row.is_beside &&
+            std::none_of(rolling.begin(), rolling.end(), [&](const ClosingRow& r) { return is_same(row, r); }))
+            rolling.push_back(row);
+    return rolling;
+}
+
+std::optional<VectorXd> step_to_touch(const MovingParts& moving, const std::vector<ClosingRow>& rows,
+                                      const std::vector<Lead>& leads, double touching) {
+    constexpr double short_step = 0.5;
+    std::optional<VectorXd> step;
+    double far = 1;
+    for (double drag = 1;; drag *= std::max(far, drag_step)) {
+        step = step_with_friction(moving, closed_among(rows, touching), leads, drag, touching);
+        if (!step) return std::nullopt;
+        far = farthest_in_steps(moving, *step);
+        if (far > short_step || drag <= least_drag) break;
+    }
+    *step /= std::max(1.0, far);
+    const VectorXd rate = step_problem(moving, rows, leads, {spring_closing, 1}).modes * *step;
+    double share = 1;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        if (const double to = rate[static_cast<Index>(k)]; !is_closed(rows[k], touching) && to < 0)
+            share = std::min(share, rows[k].gap / -to);
+    return VectorXd(share * *step);
+}
+
+bool are_held(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads, double touching) {
+    constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
+    const std::optional<VectorXd> step = step_with_friction(moving, rows, leads, least_drag, touching);
+    return step && std::all_of(moving.list.begin(), moving.list.end(),
+                               [&](const MovingPart& b) { return b.own(*step).norm() <= at_rest * touching; });
+}
+
+bool are_all_pressed(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads,
+                     double touching) {
+    constexpr double pressed = 1e-3;  // of its loads
+    const std::vector<ClosingRow> closed = closed_among(rows, touching);
+    const VectorXd forces = settle_rigidly(step_problem(moving, closed, leads, {spring_closing, 1})).multipliers;
+    return std::all_of(moving.list.begin(), moving.list.end(), [&](const MovingPart& b) {
+        const auto is_of_body = [&](int part) {
+            const int own = moving.of_part[at(part)];
+            return own >= 0 && moving.list[at(own)].first == b.first;
+        };
+        bool is_pressed = b.pull == 0;
+        for (std::size_t k = 0; k < closed.size() && !is_pressed; ++k)
+            is_pressed = (is_of_body(closed[k].first) || is_of_body(closed[k].second)) &&
+                         forces[static_cast<Index>(k)] > pressed * b.pull;
+        return is_pressed;
+    });
+}
+
+}  // namespace abut

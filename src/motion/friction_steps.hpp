@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of rigid bodies that friction slows down or holds: Coulomb's, in every gap that is closed.
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "src/motion/moving_parts.hpp"
+
+namespace abut {
+
+/// The gaps that stop parts which may roll: no two at one place, and none beside where a round face is closest.
+std::vector<ClosingRow> rolling_rows(const std::vector<ClosingRow>& rows, double touching);
+
+/// The amplitudes of a step on the gaps no wider than `touching`, as far as the first of the others lets it. What little drives
+/// is dragged less. Nothing where they are not found. rows: rolling_rows.
+std::optional<Eigen::VectorXd> step_to_touch(const MovingParts& moving, const std::vector<ClosingRow>& rows,
+                                             const std::vector<Lead>& leads, double touching);
+
+/// Does friction hold all parts where they are? rows: rolling_rows.
+bool are_held(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads, double touching);
+
+/// Is every part that is loaded pressed, without friction, on another that it touches? rows: rolling_rows.
+bool are_all_pressed(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads,
+                     double touching);
+
+}  // namespace abut
