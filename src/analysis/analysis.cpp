@@ -111,6 +111,8 @@ void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
         small_drive(solved) + holding_friction(out) +
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+    if (scene.in_steps && has_friction(out))
+        result.message += ". Where friction gives way in a later step parts are not followed from there; as \"cases\" they are";
     if (const std::string rigid = rigid_stops(scene, out.candidates, solved); !rigid.empty()) result.message += ". " + rigid;
     if (const std::string touches = unpaired_touches(scene); !touches.empty())
         result.message +=

@@ -47,9 +47,11 @@ std::optional<VectorXd> step_with_friction(const MovingParts& moving, const std:
 }  // namespace
 
 std::vector<ClosingRow> rolling_rows(const std::vector<ClosingRow>& rows, double touching) {
+    constexpr double same_normal = 1e-3;  // a corner may touch two faces in one place
     std::vector<ClosingRow> rolling;
     const auto is_same = [&](const ClosingRow& a, const ClosingRow& b) {
-        return a.first == b.first && a.second == b.second && (a.x1 - b.x1).norm() + (a.x2 - b.x2).norm() <= touching;
+        return a.first == b.first && a.second == b.second && (a.x1 - b.x1).norm() + (a.x2 - b.x2).norm() <= touching &&
+               (a.normal - b.normal).norm() <= same_normal;
     };
     for (const ClosingRow& row : rows)
         if (!row.is_beside &&
