@@ -175,7 +175,7 @@ void tell_film(const FoundPart& found, const SketchOptions& options, const Vec2&
     else if (found.part.loops.size() > 1 && width < doubtful_wall * size)
         sketch.warnings.push_back({"part " + found.part.name + " is hollow, its wall only " + number_text(width) +
                                        " thick: its outline may be drawn twice",
-                                   place, edge.name, found.line, "delete one of them where it is"});
+                                   place, edge.name, found.line, "if so, delete one of the two"});
 }
 
 /// `region_parts`: by region, its part among those found; -1 where it is none.

@@ -417,10 +417,10 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     return attempt;
 }
 
-/// Of many rows, those that may close, faces of friction as a whole: C is made of these alone, and the gaps of the others are
-/// looked at under the displacements. What lies between faces that are not taken is not searched for with friction, where
-/// bodies that nothing presses would make up most of it. Bearings of 80 rollers have 6800 rows, of which 1800 take part; all of
-/// them would make a dense C of 600 MB.
+/// Of many rows, those that may close or were closed before, faces of friction as a whole: C is made of these alone, and the
+/// gaps of the others are looked at under the displacements. What lies between faces that are not taken is not searched for
+/// with friction, where bodies that nothing presses would make up most of it. Bearings of 80 rollers have 6800 rows, of which
+/// 1800 take part; all of them would make a dense C of 600 MB.
 class RowChoice {
 public:
     RowChoice(const AssemblyProblem& problem, const AssemblyRows& all) : problem_(problem), all_(all) {
@@ -431,7 +431,7 @@ public:
         for (const FrictionRow& f : all.friction) taken_[at(f.tangential)] = 0;
         knows_some_ = all.expected.size() > 0 && !all.expected.isZero(0);
         take_with_neighbours(knows_some_ ? all.expected : settled_forces());
-        if (!problem.before.empty()) take_with_neighbours(closed_under(displacements_before(), gap_rounding));
+        if (!problem.before.empty()) take_with_neighbours(closed_under(displacements_before(), closed_before));
     }
 
     bool is_all() const { return std::find(taken_.begin(), taken_.end(), 0) == taken_.end(); }
@@ -514,6 +514,7 @@ private:
     static constexpr int few_rows = 500;  // all of them cost less than a second look
     static constexpr int beside = 2;
     static constexpr double gap_rounding = 1e-14;  // of the largest opening
+    static constexpr double closed_before = 1e-3;  // likewise: what other knots leave of a closed gap; more rows do no harm
 
     const AssemblyProblem& problem_;
     const AssemblyRows& all_;

@@ -351,21 +351,32 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     return result.converged;
 }
 
+/// Bodies at rest on the foundation, everything that is pressed sticking.
+struct AtRest {
+    explicit AtRest(const ContactQp& qp) : start(settle_rigidly(qp)), near{qp, qp.gap + qp.modes * start.amplitudes} {
+        VectorXd pressures = start.multipliers;
+        for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
+        sticks = states_of(qp, pressures);
+        state = {pressures, VectorXd::Zero(qp.modes.cols()), qp.compliance * pressures};
+    }
+    Settled start;
+    ShiftedQp near;
+    ContactState state;
+    ActiveSet sticks;
+};
+
 ContactQpResult solve_from_anywhere(const ContactQp& qp) {
     ContactQpResult result;
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
     const bool is_pressed = qp.expected.size() > 0 && !qp.expected.isZero(0);
     if (is_pressed && answer_from_expected(qp, result)) return result;
-    const Settled start = settle_rigidly(qp);
-    const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
-    VectorXd pressures = start.multipliers;
-    for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
-    const ContactState at_rest{pressures, VectorXd::Zero(qp.modes.cols()), qp.compliance * pressures};
-    const ActiveSet sticks = states_of(qp, pressures);
+    const AtRest at_rest(qp);
+    const Settled& start = at_rest.start;
+    const ShiftedQp& near = at_rest.near;
     ContactState state;
     const auto begin_at_rest = [&] {
-        state = at_rest;
-        result.active = sticks;
+        state = at_rest.state;
+        result.active = at_rest.sticks;
     };
     begin_at_rest();
     result.converged = search_exactly(near, state, result);
@@ -449,22 +460,17 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
 
 ContactQpResult solve_held_with_friction(const ContactQp& qp) {
     ContactQpResult result;
-    const Settled start = settle_rigidly(qp);
-    const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
-    VectorXd pressures = start.multipliers;
-    for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
-    const ContactState at_rest{pressures, VectorXd::Zero(qp.modes.cols()), qp.compliance * pressures};
-    ContactState state = at_rest;
-    result.active = states_of(qp, pressures);
-    const ActiveSet sticks = result.active;
-    result.converged = search_exactly(near, state, result);
+    const AtRest at_rest(qp);
+    ContactState state = at_rest.state;
+    result.active = at_rest.sticks;
+    result.converged = search_exactly(at_rest.near, state, result);
     if (!result.converged) {
-        state = at_rest;
-        result.active = sticks;
-        result.converged = pivot_states(near, no_term(qp.modes.cols()), result.active, state, result.iterations) &&
-                           meets_conditions(near, state);
+        state = at_rest.state;
+        result.active = at_rest.sticks;
+        result.converged = pivot_states(at_rest.near, no_term(qp.modes.cols()), result.active, state, result.iterations) &&
+                           meets_conditions(at_rest.near, state);
     }
-    write_answer(near, start.amplitudes, state, result);
+    write_answer(at_rest.near, at_rest.start.amplitudes, state, result);
     return result;
 }
 

@@ -440,9 +440,8 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
         if (const auto there = let_go(scenes.front(), begun.front().conditions, outcomes.front())) {
             // friction remembers on grids that all steps share: all of them are where the first takes the parts
             problems.clear();
-            const std::string loose = not_held(scenes.front(), outcomes.front());
+            begun.front().not_held = not_held(scenes.front(), outcomes.front());
             for (std::size_t k = 0; k < scenes.size(); ++k) {
-                begun[k].not_held = loose;
                 begun[k].rest = Rest{placed(scenes[k], begun[k].conditions, *there), *there};
                 problems.push_back({&begun[k].rest->scene, &begun[k].conditions});
             }

@@ -241,7 +241,7 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
 /// Do parts turn by more than small displacements are good for?
 bool turn_far(const SolvedAssembly& solved) {
     for (std::size_t k = 0; k < solved.grids.size(); ++k)
-        if (std::abs(rigid_motion_of(solved, k).rotation) > placed_fraction) return true;
+        if (std::abs(rigid_motion_of(solved, k).rotation) > placed_turn) return true;
     return false;
 }
 

@@ -55,7 +55,14 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 std::string nearest_name_hint(const std::string& word, const std::vector<std::string>& known) {
     if (known.empty()) return "";
     const std::string list = "known here: " + listed(known);
-    const auto has_word = [&](const std::string& name) { return !word.empty() && name.find(word) != std::string::npos; };
+    const auto is_part_of_word = [](const std::string& name, std::size_t place) {
+        return place < name.size() && std::isalnum(static_cast<unsigned char>(name[place])) != 0;
+    };
+    const auto has_word = [&](const std::string& name) {
+        const std::size_t place = word.empty() ? std::string::npos : name.find(word);
+        return place != std::string::npos && !is_part_of_word(name, place + word.size()) &&
+               (place == 0 || !is_part_of_word(name, place - 1));
+    };
     const auto longer = std::find_if(known.begin(), known.end(), has_word);
     if (longer != known.end() && std::none_of(longer + 1, known.end(), has_word))
         return "did you mean '" + *longer + "'? " + list;

@@ -12,8 +12,8 @@ double edit_distance(const std::string& a, const std::string& b);
 /// The known name with the smallest edit distance, the first where several are equal; empty if none is known.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& known);
 
-/// A hint for a misspelt name: "did you mean 'radius'? known here: center, radius"; at most 20 names are listed. The one that
-/// has the word in it is meant before those that are spelt much like it. Empty if none is known.
+/// A hint for a misspelt name: "did you mean 'radius'? known here: center, radius"; at most 20 names are listed. The one in
+/// which it stands as a word is meant before those that are spelt much like it. Empty if none is known.
 std::string nearest_name_hint(const std::string& word, const std::vector<std::string>& known);
 
 /// Names as a list: "a, b, c", at most 20 of them, then "and 7 more".

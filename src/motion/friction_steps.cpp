@@ -65,7 +65,7 @@ std::optional<VectorXd> step_to_touch(const MovingParts& moving, const std::vect
     constexpr double short_step = 0.5;
     std::optional<VectorXd> step;
     double far = 1;
-    for (double drag = 1;; drag *= std::max(far, drag_step)) {
+    for (double drag = 1;; drag = std::max(least_drag, drag * std::max(far, drag_step))) {
         step = step_with_friction(moving, closed_among(rows, touching), leads, drag, touching);
         if (!step) return std::nullopt;
         far = farthest_in_steps(moving, *step);
@@ -80,11 +80,13 @@ std::optional<VectorXd> step_to_touch(const MovingParts& moving, const std::vect
     return VectorXd(share * *step);
 }
 
-bool are_held(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads, double touching) {
+std::optional<VectorXd> held_step(const MovingParts& moving, const std::vector<ClosingRow>& rows,
+                                  const std::vector<Lead>& leads, double touching) {
     constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
-    const std::optional<VectorXd> step = step_with_friction(moving, rows, leads, least_drag, touching);
-    return step && std::all_of(moving.list.begin(), moving.list.end(),
-                               [&](const MovingPart& b) { return b.own(*step).norm() <= at_rest * touching; });
+    std::optional<VectorXd> step = step_with_friction(moving, rows, leads, least_drag, touching);
+    const auto is_held = [&](const MovingPart& b) { return b.own(*step).norm() <= at_rest * touching; };
+    if (step && !std::all_of(moving.list.begin(), moving.list.end(), is_held)) step.reset();
+    return step;
 }
 
 bool are_all_pressed(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads,

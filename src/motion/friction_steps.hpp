@@ -17,8 +17,10 @@ std::vector<ClosingRow> rolling_rows(const std::vector<ClosingRow>& rows, double
 std::optional<Eigen::VectorXd> step_to_touch(const MovingParts& moving, const std::vector<ClosingRow>& rows,
                                              const std::vector<Lead>& leads, double touching);
 
-/// Does friction hold all parts where they are? rows: rolling_rows.
-bool are_held(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads, double touching);
+/// The amplitudes by which parts close gaps where friction holds them all; nothing where it lets one go farther, or no step is
+/// found. rows: rolling_rows.
+std::optional<Eigen::VectorXd> held_step(const MovingParts& moving, const std::vector<ClosingRow>& rows,
+                                         const std::vector<Lead>& leads, double touching);
 
 /// Is every part that is loaded pressed, without friction, on another that it touches? rows: rolling_rows.
 bool are_all_pressed(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads,

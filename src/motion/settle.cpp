@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -39,10 +39,9 @@ constexpr double soft_lead = 1e-3;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
 constexpr double push_fraction = 1e-3, unstable_growth = 0.05;
 
-std::string why_not_settled(const Scene& scene, const ResolvedConditions& conditions, bool with_friction = false) {
+std::string why_not_settled(const Scene& scene, const ResolvedConditions& conditions) {
     if (const std::string why = why_not_followed(scene, conditions); !why.empty()) return why;
     if (scene.parts.size() < 2) return "there is nothing to rest on";
-    if (has_friction(scene.contacts) && !with_friction) return "friction may hold parts where they are drawn";
     if (has_fits(scene.contacts)) return "fits hold parts where they are drawn";
     return "";
 }
@@ -94,7 +93,8 @@ public:
             return {Settling::End::not_asked, "", {}, {}, ""};
         for (int k = 0; k < max_steps; ++k) {
             const std::vector<ClosingRow> rows = rolling();
-            if (are_held(moving_, rows, leads_of_step(0), touching()) && move_apart()) return rest();
+            if (held_step(moving_, rows, leads_of_step(0), touching()) && (is_as_drawn() || close_up()) && move_apart())
+                return rest();
             const std::optional<VectorXd> step = step_to_touch(moving_, rows, leads_of_step(0), touching());
             if (!step) return lost();
             VectorXd a = *step;
@@ -112,6 +112,17 @@ public:
 private:
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
     std::vector<ClosingRow> rolling() const { return rolling_rows(closing_.rows, touching()); }
+    /// Closes what is left of gaps that friction holds closed. False: it does not hold the parts as gaps close.
+    bool close_up() {
+        double before = std::numeric_limits<double>::infinity();
+        while (true) {
+            const std::optional<VectorXd> step = held_step(moving_, rolling(), leads_of_step(0), touching());
+            if (!step) return false;
+            const double far = farthest(*step);
+            if (!(far < 0.5 * before) || !advance(*step)) return true;
+            before = far;
+        }
+    }
     /// Moves parts out of each other, and nowhere else. False: they still overlap.
     bool move_apart() {
         constexpr int most_steps = 5;
@@ -531,12 +542,13 @@ Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const 
     ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
     ENSURE(from.empty() || from.size() == drawn.parts.size(), "every part has a place before, or none has");
     if (const std::string why = why_not_settled(drawn, conditions); !why.empty()) return {Settling::End::not_asked, why};
+    if (has_friction(drawn.contacts)) return {Settling::End::not_asked, "friction may hold parts where they are drawn"};
     return settle_about_middle(drawn, conditions, from, [&](Way&& way) { return way.follow(to_the_end); });
 }
 
 Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions, bool also_pressed) {
     ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
-    if (const std::string why = why_not_settled(drawn, conditions, true); !why.empty()) return {Settling::End::not_asked, why};
+    if (const std::string why = why_not_settled(drawn, conditions); !why.empty()) return {Settling::End::not_asked, why};
     return settle_about_middle(drawn, conditions, {}, [&](Way&& way) { return way.follow_until_held(also_pressed); });
 }
 

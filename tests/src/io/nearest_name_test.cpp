@@ -16,6 +16,7 @@ TEST(NearestName, CountsSwappedNeighboursOnceAndCapitalsHalf) {
 TEST(NearestName, IsTheOneThatHasTheWordElseTheOneSpeltMuchLikeIt) {
     EXPECT_EQ(nearest_name_hint("S1", {"SUP#0:S1", "S2", "PIN"}), "did you mean 'SUP#0:S1'? known here: SUP#0:S1, S2, PIN");
     EXPECT_EQ(nearest_name_hint("S1", {"A:S1", "B:S1", "S2"}), "did you mean 'S2'? known here: A:S1, B:S1, S2");
+    EXPECT_EQ(nearest_name_hint("e", {"plate", "pin"}), "known here: plate, pin");
     EXPECT_EQ(nearest_name_hint("pinn", {"plate", "pin"}), "did you mean 'pin'? known here: plate, pin");
     EXPECT_EQ(nearest_name_hint("something", {"pin"}), "known here: pin");
     EXPECT_EQ(nearest_name_hint("pin", {}), "");
