@@ -28,9 +28,8 @@ std::vector<ClosingRow> closed_among(std::vector<ClosingRow> rows, double touchi
 
 /// The amplitudes of a step with friction in closed gaps; nothing where they are not found.
 std::optional<VectorXd> step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
-                                           const std::vector<Lead>& leads, double drag, double touching) {
-    constexpr double found = 1e-6;  // of forces and gaps: what the least drag takes as balanced
-    Resisted by{friction_closing, drag};
+                                           const std::vector<Lead>& leads, Resisted by, double touching) {
+    constexpr double found = 1e-5;  // of forces and gaps: rounding, with springs as unlike as gaps and drags
     std::transform(gaps.begin(), gaps.end(), std::back_inserter(by.sticks),
                    [&](const ClosingRow& row) { return is_closed(row, touching) && row.friction > 0; });
     solver::ContactQp qp = step_problem(moving, gaps, leads, by);
@@ -42,6 +41,20 @@ std::optional<VectorXd> step_with_friction(const MovingParts& moving, const std:
     const solver::ContactQpResult result = solve_held_with_friction(qp);
     if (!(result.residual <= found)) return std::nullopt;
     return result.amplitudes();
+}
+
+/// The amplitudes of a step on the closed gaps; what little drives is dragged less. across_loads: as of Resisted.
+std::optional<VectorXd> slow_step(const MovingParts& moving, const std::vector<ClosingRow>& rows,
+                                  const std::vector<Lead>& leads, double across_loads, double touching) {
+    constexpr double short_step = 0.5;
+    Resisted by{friction_closing, 1};
+    by.across_loads = across_loads;
+    while (true) {
+        std::optional<VectorXd> step = step_with_friction(moving, closed_among(rows, touching), leads, by, touching);
+        const double far = step ? farthest_in_steps(moving, *step) : 0;
+        if (!step || far > short_step || by.drag <= least_drag) return step;
+        by.drag = std::max(least_drag, by.drag * std::max(far, drag_step));
+    }
 }
 
 }  // namespace
@@ -62,16 +75,13 @@ std::vector<ClosingRow> rolling_rows(const std::vector<ClosingRow>& rows, double
 
 std::optional<VectorXd> step_to_touch(const MovingParts& moving, const std::vector<ClosingRow>& rows,
                                       const std::vector<Lead>& leads, double touching) {
-    constexpr double short_step = 0.5;
-    std::optional<VectorXd> step;
-    double far = 1;
-    for (double drag = 1;; drag = std::max(least_drag, drag * std::max(far, drag_step))) {
-        step = step_with_friction(moving, closed_among(rows, touching), leads, drag, touching);
-        if (!step) return std::nullopt;
-        far = farthest_in_steps(moving, *step);
-        if (far > short_step || drag <= least_drag) break;
-    }
-    *step /= std::max(1.0, far);
+    // loads take parts as slowly as they can; what they do not work on goes along, such as a part that another carries
+    constexpr double hardly_dragged = 1e-3;
+    std::optional<VectorXd> step = slow_step(moving, rows, leads, hardly_dragged, touching);
+    // what would slide just as fast as it is carried may do either, and no state is found: all dragged alike, it does one
+    if (!step) step = slow_step(moving, rows, leads, 1, touching);
+    if (!step) return std::nullopt;
+    *step /= std::max(1.0, farthest_in_steps(moving, *step));
     const VectorXd rate = step_problem(moving, rows, leads, {spring_closing, 1}).modes * *step;
     double share = 1;
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -83,7 +93,7 @@ std::optional<VectorXd> step_to_touch(const MovingParts& moving, const std::vect
 std::optional<VectorXd> held_step(const MovingParts& moving, const std::vector<ClosingRow>& rows,
                                   const std::vector<Lead>& leads, double touching) {
     constexpr double at_rest = 10;  // times what is touched: gaps close by as much, and turn parts
-    std::optional<VectorXd> step = step_with_friction(moving, rows, leads, least_drag, touching);
+    std::optional<VectorXd> step = step_with_friction(moving, rows, leads, {friction_closing, least_drag}, touching);
     const auto is_held = [&](const MovingPart& b) { return b.own(*step).norm() <= at_rest * touching; };
     if (step && !std::all_of(moving.list.begin(), moving.list.end(), is_held)) step.reset();
     return step;

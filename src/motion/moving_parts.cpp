@@ -41,6 +41,10 @@ VectorXd power(const MovingPart& p, const Vec2& force, double moment) {
     return p.motions.transpose() * Eigen::Vector3d(force.x(), force.y(), moment / p.arm);
 }
 
+Eigen::Vector3d load_of(const MovingPart& p) {
+    return {p.load.force.x(), p.load.force.y(), p.load.moment / p.arm};
+}
+
 /// The centroid of a part, or of some.
 Vec2 middle_of(const Scene& scene, const std::vector<std::size_t>& parts) {
     if (parts.size() == 1) return centroid(scene.parts[parts.front()].part);
@@ -191,6 +195,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
+    const auto is_dragged_along_loads = [&](const MovingPart& p) { return by.across_loads < 1 && load_of(p).norm() > 0; };
     Index n = static_cast<Index>(gaps.size()) + std::count(by.sticks.begin(), by.sticks.end(), 1) +
               std::count_if(across.begin(), across.end(), [](double c) { return c > 0; });
     for (const MovingPart& p : moving.list) {
@@ -199,6 +204,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         pull += p.pull;
         for (bool is_given : leads[at(p.part)].is_given) n += is_given ? 1 : 0;
         n += turn_back(p) > 0 ? 1 : 0;
+        n += is_dragged_along_loads(p) ? 1 : 0;
     }
     if (pull == 0) pull = 1;  // prescribed motions alone
     const double stiffness = pull / (by.closing * smallest);
@@ -224,8 +230,12 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         if (const double back = turn_back(p); back > 0) rows.lead(p, turn, 0, back / (p.arm * p.arm));
         if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) += power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
+        // along loads parts go as fast as their share of them drives them, whatever their sizes
+        const double of_step = own / (step_fraction * (by.across_loads < 1 ? smallest : p.size)),
+                     dragged = by.across_loads < 1 ? std::max(by.across_loads * by.drag, least_drag) : by.drag;
+        if (is_dragged_along_loads(p)) rows.lead(p, load_of(p).normalized(), 0, by.drag * of_step);
         for (Index j = p.first; j < p.first + p.n(); ++j)
-            rows.drag(j, by.towards.size() > 0 ? by.towards[j] : 0, by.drag * own / (step_fraction * p.size));
+            rows.drag(j, by.towards.size() > 0 ? by.towards[j] : 0, dragged * of_step);
     }
     qp.gap = qp.drawn_gap;
     return qp;

@@ -70,6 +70,7 @@ struct Resisted {
     double leading = 1;           ///< what takes a part its way is as stiff as gaps, times this
     std::vector<char> sticks{};   ///< by gap: nothing slides there; empty: all do
     bool curved = false;          ///< by forces in gaps between round parts and hollows, which turn as these roll in each other
+    double across_loads = 1;      ///< of the drag, what is left of it on motions in which a part's loads do not work
 };
 
 /// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
