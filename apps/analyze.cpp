@@ -50,14 +50,20 @@ std::string remarks(const Scene& scene) {
     return text;
 }
 
-/// analysis: analyze or analyze_cases.
+/// analysis: analyze or analyze_cases. Where it refuses the scene, what was made of its drawings may be why.
 template <class Analysis>
 auto with_progress(Analysis analysis, const Scene& scene, bool quiet, int threads) {
     ProgressLine line(!quiet);
     AnalyzeOptions options;
     options.threads = threads;
     options.progress = [&line](const std::string& message) { line.show(message); };
-    return analysis(scene, options);
+    try {
+        return analysis(scene, options);
+    } catch (const InputError&) {
+        line.wipe();
+        if (!quiet) std::cerr << remarks(scene);
+        throw;
+    }
 }
 
 void print_result(const Result& result, const ModelFacts& model, const std::string& folder, const Arguments& arguments,

@@ -168,7 +168,7 @@ CommandSpec batch_spec() {
         {"--force", "", "do all jobs again, also those that are finished"},
         {"--only", "contacts", "find contacts, analyse nothing"},
         {"--expect", "TABLE", "with --only contacts: compare with the pairs of a table file,part_1,part_2"},
-        {"--distance", "D", "largest gap of a pair in contact detection (default: 2 % of the smaller part's diagonal)"},
+        {"--distance", "D", "largest gap of a pair in contact detection (default: 2 % of the smaller part's extent)"},
         {"--accuracy", "A", "draft, standard, fine, or an error to aim at; instead of each scene's"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
     spec.options.push_back(strict_option_spec());

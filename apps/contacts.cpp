@@ -54,7 +54,7 @@ CommandSpec contacts_spec() {
                      "Finds the pairs of parts that touch, overlap or nearly touch in a scene, drawing, mesh or STEP file.",
                      {},
                      {}};
-    spec.options = {{"--distance", "D", "largest gap of a pair (default: 2 % of the smaller part's diagonal)"},
+    spec.options = {{"--distance", "D", "largest gap of a pair (default: 2 % of the smaller part's extent)"},
                     {"--expect", "FILE", "compare with the pairs of this file; exit status 1 on any difference"},
                     {"-o", "DIR", "folder for contacts.json, contacts.svg and cells.svg (default: out)"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);

@@ -120,13 +120,21 @@ private:
         return false;
     }
 
-    /// Is a rectangle with such outlines in it a plate with holes, since they all are round, or some, but not all, are on its
-    /// layer?
+    /// Is some, but not all, of what is drawn in a rectangle on its layer, as holes of a plate are beside what stands in them?
+    bool shares_its_layer(std::size_t rectangle, const std::vector<std::size_t>& inside) const {
+        const std::set<std::string> own = layers_of(found_.shapes[rectangle]);
+        bool any = false, all = true;
+        for (const std::size_t s : inside)
+            for (const std::string& layer : layers_of(found_.shapes[s])) {
+                any = any || own.count(layer) > 0;
+                all = all && own.count(layer) > 0;
+            }
+        return any && !all;
+    }
+
+    /// Is a rectangle with such outlines in it a plate with holes?
     bool is_plate(std::size_t frame, const std::vector<std::size_t>& inside) const {
-        const std::set<std::string> own = layers_of(found_.shapes[frame]);
-        const auto n_with_it = static_cast<std::size_t>(
-            std::count_if(inside.begin(), inside.end(), [&](std::size_t s) { return layers_of(found_.shapes[s]) == own; }));
-        return (n_with_it > 0 && n_with_it < inside.size()) || std::all_of(inside.begin(), inside.end(), [&](std::size_t s) {
+        return shares_its_layer(frame, inside) || std::all_of(inside.begin(), inside.end(), [&](std::size_t s) {
                    return circle_of(found_.shapes[s], found_.tolerance).has_value();
                });
     }
@@ -165,7 +173,7 @@ private:
         if (has_proportions_of_paper(own.box) && has_text && own.faces.empty() && is_clear &&
             (has_title || !is_plate(frame, inside)))
             return true;
-        return own.faces.empty() && is_sparse(frame, frame, inside);
+        return own.faces.empty() && is_sparse(frame, frame, inside) && !shares_its_layer(frame, inside);
     }
 
     /// Do outlines in a frame, but for another frame, share lines, as holes do not, and fill little of it?

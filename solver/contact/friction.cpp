@@ -324,14 +324,28 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
-/// Has a search left bodies much farther from where it began than they give way? Where several answers are possible, or what is
-/// linear holds what has slid along a round face, that is none of bodies that come to rest on their way.
+double elastic_slip(const ContactState& state) {
+    return far_slip * state.closing.cwiseAbs().maxCoeff();
+}
+
+/// How far bodies are led.
+double led_by(const ContactQp& qp) {
+    std::vector<char> is_led(qp.unilateral.size(), 1);
+    for (const FrictionRow& f : qp.friction) is_led[static_cast<std::size_t>(f.tangential)] = 0;
+    double way = 0;
+    for (std::size_t k = 0; k < is_led.size(); ++k)
+        if (is_led[k] && !qp.unilateral[k]) way = std::max(way, std::abs(qp.gap[static_cast<Index>(k)]));
+    return way;
+}
+
+/// Has a search left bodies much farther from where it began than they give way, or are led? Where several answers are
+/// possible, or what is linear holds what has slid along a round face, that is none of bodies that come to rest on their way.
 bool has_gone_far(const ShiftedQp& shifted, const ContactState& state, const ActiveSet& states) {
     const VectorXd way = shifted.qp.modes * state.amplitudes;
     double slip = 0;
     for (const FrictionRow& f : shifted.qp.friction)
         if (states[static_cast<std::size_t>(f.normal)] != row_state::open) slip = std::max(slip, std::abs(way[f.tangential]));
-    return slip > far_slip * state.closing.cwiseAbs().maxCoeff();
+    return slip > std::max(elastic_slip(state), led_by(shifted.qp));
 }
 
 /// From the expected states.
@@ -384,6 +398,19 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
         if (finds_motion(qp, result)) return result;
         begin_at_rest();
         if (const std::optional<Sliding> sliding = creep(near, start.stiffness, state, result).sliding) {
+            // what is led far is tilted by where it sticks as it begins, and creeps back for long: that is no motion of its own
+            if (led_by(qp) > elastic_slip(state)) {
+                const ContactState slid = state;
+                const ActiveSet states = result.active;
+                begin_at_rest();
+                if (pivot_to_answer(near, start.stiffness, state, result) && !has_gone_far(near, state, result.active)) {
+                    result.converged = true;
+                    write_answer(near, start.amplitudes, state, result);
+                    return result;
+                }
+                state = slid;
+                result.active = states;
+            }
             result.mechanism = sliding->motion;
             if (qp.asks_holding_factor)
                 result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);

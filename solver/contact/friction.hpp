@@ -30,8 +30,9 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 /// 3. Forces within the cones may balance, and elastic bodies not press on each other so, or not there (a shrink fit, round
 ///    bodies). Passes of step 1 under a proximal term, a brake that gives way from pass to pass (creep): where it bears as much
 ///    of the loads in the end, the bodies slide. That motion is the mechanism, and the same is tried with larger coefficients
-///    until they rest. Finer rows may press elsewhere: the state in which they slide is given as well (feasible, not converged,
-///    with a mechanism).
+///    until they rest. What is led far, tilted by where it sticks as it begins, creeps back for long, and is none such where
+///    pivots from the bodies at rest find an answer. Finer rows may press elsewhere: the state in which they slide is given as
+///    well (feasible, not converged, with a mechanism).
 /// 4. Step 1 from where the creep ended, else pivots as in step 0 from the bodies at rest.
 /// Newton steps are cut where whole ones do not bring the residual of all conditions down; where they do not end in 3, pivots
 /// from the pass before do. Converged is what meets all conditions. Coefficients above those of any materials (rough faces) are

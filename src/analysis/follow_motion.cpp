@@ -207,12 +207,15 @@ Vec2 from_where(const Placement& p, const Vec2& x) {
 
 /// Where a part is led, or pushed by one that is, along another for longer than the solution has it slide, friction is at its
 /// limit; that of soft bodies may not have come there over what was left of the way.
-void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, const Rest& rest, const SolvedAssembly& solved,
-                                      Result& result) {
+void tell_friction_short_of_its_limit(const Scene& drawn, const ResolvedConditions& conditions, const Rest& rest,
+                                      const SolvedAssembly& solved, Result& result) {
     constexpr double slid = 5e-4;      // of the smaller part's size: half of what is left of the way
+    constexpr double slides = 0.1;     // of that: what moves so little at the end lies still, however far it has come
     constexpr double at_limit = 0.98;  // a rim may stick
     std::vector<Finding> findings;
+    const Leads leads = leads_of(drawn, conditions);
     if (std::none_of(leads.of.begin(), leads.of.end(), [](const Lead& lead) { return lead.goes_anywhere(); })) return;
+    const std::vector<Placement> motions = motions_of(rest.scene, conditions, solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const double friction = friction_of(solved, k);
         if (friction == 0 || !std::isfinite(friction) || solved.stretches[k].empty()) continue;
@@ -226,7 +229,8 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, co
         const double along = std::abs(geometry::left_of(pair.normal).dot(by)),
                      size = std::min(bounding_box(drawn.parts[at(part[0])].part).diagonal(),
                                      bounding_box(drawn.parts[at(part[1])].part).diagonal());
-        if (along <= slid * size) continue;
+        const Vec2 now = motions[at(part[0])].of(pair.on1.x) - motions[at(part[1])].of(pair.on1.x);
+        if (along <= slid * size || std::abs(geometry::left_of(pair.normal).dot(now)) <= slides * slid * size) continue;
         const std::string who = drawn.parts[at(part[0])].name + " and " + drawn.parts[at(part[1])].name;
         findings.push_back({along, who,
                             who + " slide along each other by " + with_unit(along, 3, drawn.length_unit) +
@@ -329,11 +333,12 @@ void tell_motion(const Scene& drawn, const ResolvedConditions& conditions, const
         }
         there.why = first_few(far.empty() ? near : far);
         row = large_motion_effect(there);
-        result.warnings.push_back("analysed where the loads take it, " + there.why +
-                                  " from where it was drawn: places and displacements are those from there" +
-                                  (has_friction(drawn.contacts) ? ", and friction acts from there on" : ""));
+        result.warnings.push_back(
+            "analysed where the loads take it, " + there.why +
+            " from where it was drawn: places and displacements are those from there" +
+            (has_friction(drawn.contacts) ? ", and friction acts from there on: so count slip and the work against it" : ""));
         tell_tipping(drawn, *rest, result);
-        if (has_answer(out)) tell_friction_short_of_its_limit(drawn, leads_of(drawn, conditions), *rest, out.solved, result);
+        if (has_answer(out)) tell_friction_short_of_its_limit(drawn, conditions, *rest, out.solved, result);
     }
     result.effects.push_back(std::move(row));
 }

@@ -35,8 +35,8 @@ namespace {
 constexpr int max_search_widenings = 5;
 /// The search goes no farther than the smaller part is large: what moves farther is not paired where it comes to rest.
 constexpr double search_widening = 3, farthest_search = 1 / first_search_fraction;
-/// On the same candidates, since contacts were last found or lost; in all so many times as many.
-constexpr int max_passes = 7, most_beginnings = 4;
+/// On the same candidates, since contacts were last found or lost; in all so many times as many; without any answer.
+constexpr int max_passes = 7, most_beginnings = 4, max_unanswered = 3;
 /// For the largest stress alone, where all else is known.
 constexpr int max_sharpenings = 2;
 /// The last pressure's middle is a sixth as far from the end from pass to pass: this many tell a thousandth of a zone.
@@ -346,7 +346,8 @@ private:
 
     bool out_of_passes() const {
         const std::size_t n = passes_before_ + out_.passes.size(), from = std::max(comparable_from_, aimed_from_);
-        return n >= std::max(settled_from_, from) + max_passes || n >= from + most_beginnings * max_passes ||
+        return unanswered_ >= max_unanswered || n >= std::max(settled_from_, from) + max_passes ||
+               n >= from + most_beginnings * max_passes ||
                (n >= from + max_passes && go_astray(std::span(out_.errors).subspan(from), max_passes / 2));
     }
 
@@ -422,14 +423,13 @@ private:
             widen(now, needed_factor(now), stuck);
             return false;
         }
-        const bool slides = !now.solution.sliding.empty();
-        const double needed = needed_factor(now);
         out_.search_too_short = !stuck && searches_contacts(scene_) && scene_.contacts.detect &&
-                                (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
+                                (zone_too_short(now) || (!scene_.contacts.search_distance && needed_factor(now) > factor_));
         tell_sliding(now);
-        if (now.failure.empty() && !slides) tell_lost(scene_, now);
+        if (now.failure.empty() && now.solution.sliding.empty()) tell_lost(scene_, now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         is_answered_ = now.solution.converged;
+        unanswered_ = is_answered_ ? 0 : unanswered_ + 1;
         failed_ = failure_of(now);  // speaks only where grids before had answers
         if (!why_end_.empty()) {
             out_.why = why_end_;
@@ -532,7 +532,7 @@ private:
         double factor = 0;
     } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
-    int widenings_ = 0, tipped_ = 0, sharpened_ = 0;
+    int widenings_ = 0, tipped_ = 0, sharpened_ = 0, unanswered_ = 0;
     bool is_over_ = false, is_answered_ = false, begins_like_another_ = false, meets_others_ = false;
     double energy_target_;  // of the strain energy: where forces are small differences, less than that of pressures
     std::string failed_, why_end_;

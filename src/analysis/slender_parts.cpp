@@ -77,6 +77,22 @@ bool is_bonded_along(const SolvedAssembly& solved, std::size_t grid, double alon
     return bonded >= 0.5 * along;
 }
 
+/// Do supports hold a column against moving aside along half of its length?
+bool is_held_along(const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
+    constexpr double aside = 0.5;  // cosine
+    const PartOnGrid& g = solved.grids[grid];
+    const Vec2 axis = g.frame.vector_to_local(along.normalized());
+    double held = 0;
+    for (const solver::SupportRecord& record : solved.problem.parts[grid].supports) {
+        const solver::SupportSet& set = record.set;
+        if (!set.side)
+            for (const solver::SupportPoint& p : set.points) held += std::abs(axis.dot(p.direction)) <= aside ? p.weight : 0;
+        else if (std::abs(axis[set.component]) <= aside)
+            for (const solver::Stretch& stretch : set.stretches) held += stretch.to - stretch.from;
+    }
+    return held >= 0.5 * along.norm();
+}
+
 /// Is a part pressed between others from both of its long sides, along half of its length at least? So is a gasket.
 bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
     constexpr double aside = 0.5;  // cosine: faces that look more along the column are its ends
@@ -148,7 +164,7 @@ void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
         const double euler = std::pow(std::numbers::pi * column.slenderness, 2) / 12 * g.input.elasticity.d11;
         const double one_end = 0.25 * euler, both_ends = 4 * euler;
         if (euler == 0 || out.largest[k].von_mises.value <= one_end) continue;
-        if (is_bonded_along(out.solved, k, column.along.norm())) continue;
+        if (is_bonded_along(out.solved, k, column.along.norm()) || is_held_along(out.solved, k, column.along)) continue;
         const double pressed = -stress_along(g, mean_stress(out.solved, k), column.along);
         if (pressed <= one_end || is_pressed_between(scene, out.solved, k, column.along)) continue;
         const std::string pressed_by =

@@ -218,7 +218,8 @@ std::string sweep_csv(const Sweep& sweep) {
     std::string text = "job,status";
     for (const SweptParameter& p : sweep.parameters) text += "," + csv_field(p.name);
     for (const SweepQuantity& q : sweep.quantities)
-        text += "," + csv_field(q.of + ": " + heading(q.quantity, q.unit)) + "," + csv_field(q.of + ": error of " + q.quantity);
+        text += "," + csv_field(q.of + ": " + heading(q.quantity, q.unit)) + "," +
+                csv_field(q.of + ": " + heading("error of " + q.quantity, q.unit));
     text += "\n";
     for (const SweepPoint& point : sweep.points) {
         text += point.job + "," + point.status;

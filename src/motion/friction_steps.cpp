@@ -26,21 +26,37 @@ std::vector<ClosingRow> closed_among(std::vector<ClosingRow> rows, double touchi
     return rows;
 }
 
+/// A step of one group with friction in closed gaps.
+solver::ContactQpResult solve_group(const DrivenGroup& group, const std::vector<Lead>& leads, const Resisted& by,
+                                    const std::vector<double>& across) {
+    solver::ContactQp qp = step_problem(group.moving, group.gaps, leads, by, across);
+    int along = static_cast<int>(group.gaps.size());
+    for (std::size_t k = 0; k < group.gaps.size(); ++k)
+        if (by.sticks[k])
+            qp.friction.push_back({static_cast<int>(k), along++, std::min(group.gaps[k].friction, solver::rough_coefficient)});
+    qp.compliance = Eigen::MatrixXd(qp.foundation.cwiseInverse().asDiagonal());
+    return solve_held_with_friction(qp);
+}
+
 /// The amplitudes of a step with friction in closed gaps; nothing where they are not found.
 std::optional<VectorXd> step_with_friction(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
                                            const std::vector<Lead>& leads, Resisted by, double touching) {
     constexpr double found = 1e-5;  // of forces and gaps: rounding, with springs as unlike as gaps and drags
-    std::transform(gaps.begin(), gaps.end(), std::back_inserter(by.sticks),
-                   [&](const ClosingRow& row) { return is_closed(row, touching) && row.friction > 0; });
-    solver::ContactQp qp = step_problem(moving, gaps, leads, by);
-    int along = static_cast<int>(gaps.size());
-    for (std::size_t k = 0; k < gaps.size(); ++k)
-        if (by.sticks[k])
-            qp.friction.push_back({static_cast<int>(k), along++, std::min(gaps[k].friction, solver::rough_coefficient)});
-    qp.compliance = Eigen::MatrixXd(qp.foundation.cwiseInverse().asDiagonal());
-    const solver::ContactQpResult result = solve_held_with_friction(qp);
-    if (!(result.residual <= found)) return std::nullopt;
-    return result.amplitudes();
+    VectorXd step = VectorXd::Zero(moving.n);
+    for (const DrivenGroup& group : driven_groups(moving, gaps, leads)) {
+        by.sticks.clear();
+        std::transform(group.gaps.begin(), group.gaps.end(), std::back_inserter(by.sticks),
+                       [&](const ClosingRow& row) { return is_closed(row, touching) && row.friction > 0; });
+        solver::ContactQpResult result = solve_group(group, leads, by, {});
+        if (!(result.residual <= found)) return std::nullopt;
+        const std::vector<double> across = stiffness_across(group.gaps, result.multipliers);
+        if (std::any_of(across.begin(), across.end(), [](double c) { return c > 0; })) {
+            result = solve_group(group, leads, by, across);
+            if (!(result.residual <= found)) return std::nullopt;
+        }
+        put(group, result.amplitudes(), moving, step);
+    }
+    return step;
 }
 
 /// The amplitudes of a step on the closed gaps; what little drives is dragged less. across_loads: as of Resisted.
@@ -61,33 +77,48 @@ std::optional<VectorXd> slow_step(const MovingParts& moving, const std::vector<C
 
 std::vector<ClosingRow> rolling_rows(const std::vector<ClosingRow>& rows, double touching) {
     constexpr double same_normal = 1e-3;  // a corner may touch two faces in one place
-    std::vector<ClosingRow> rolling;
+    constexpr double same_side = 0.05;    // of a hollow, in which a round part rolls from one place to the next
+    const auto is_in_hollow = [](const ClosingRow& row) { return row.pivot1 != row.x1 || row.pivot2 != row.x2; };
     const auto is_same = [&](const ClosingRow& a, const ClosingRow& b) {
-        return a.first == b.first && a.second == b.second && (a.x1 - b.x1).norm() + (a.x2 - b.x2).norm() <= touching &&
-               (a.normal - b.normal).norm() <= same_normal;
+        if (a.first != b.first || a.second != b.second) return false;
+        const double apart = (a.x1 - b.x1).norm() + (a.x2 - b.x2).norm(), turned = (a.normal - b.normal).norm();
+        return (apart <= touching && turned <= same_normal) ||
+               (is_in_hollow(a) && is_in_hollow(b) && (a.x1 - a.x2 - (b.x1 - b.x2)).norm() <= touching && turned <= same_side);
     };
-    for (const ClosingRow& row : rows)
+    std::vector<ClosingRow> by_gap = rows, rolling;
+    std::stable_sort(by_gap.begin(), by_gap.end(), [](const ClosingRow& a, const ClosingRow& b) { return a.gap < b.gap; });
+    for (const ClosingRow& row : by_gap)
         if (!row.is_beside &&
             std::none_of(rolling.begin(), rolling.end(), [&](const ClosingRow& r) { return is_same(row, r); }))
             rolling.push_back(row);
     return rolling;
 }
 
-std::optional<VectorXd> step_to_touch(const MovingParts& moving, const std::vector<ClosingRow>& rows,
-                                      const std::vector<Lead>& leads, double touching) {
+std::optional<VectorXd> driven_step(const MovingParts& moving, const std::vector<ClosingRow>& rows,
+                                    const std::vector<Lead>& leads, double touching) {
     // loads take parts as slowly as they can; what they do not work on goes along, such as a part that another carries
     constexpr double hardly_dragged = 1e-3;
     std::optional<VectorXd> step = slow_step(moving, rows, leads, hardly_dragged, touching);
     // what would slide just as fast as it is carried may do either, and no state is found: all dragged alike, it does one
-    if (!step) step = slow_step(moving, rows, leads, 1, touching);
-    if (!step) return std::nullopt;
-    *step /= std::max(1.0, farthest_in_steps(moving, *step));
-    const VectorXd rate = step_problem(moving, rows, leads, {spring_closing, 1}).modes * *step;
+    return step ? step : slow_step(moving, rows, leads, 1, touching);
+}
+
+std::optional<VectorXd> led_step(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads,
+                                 double leading, double touching) {
+    Resisted by{friction_closing, least_drag};
+    by.leading = leading;
+    return step_with_friction(moving, closed_among(rows, touching), leads, by, touching);
+}
+
+VectorXd until_touch(const MovingParts& moving, const std::vector<ClosingRow>& rows, const std::vector<Lead>& leads,
+                     VectorXd step, double touching) {
+    step /= std::max(1.0, farthest_in_steps(moving, step));
+    const VectorXd rate = step_problem(moving, rows, leads, {spring_closing, 1}).modes * step;
     double share = 1;
     for (std::size_t k = 0; k < rows.size(); ++k)
         if (const double to = rate[static_cast<Index>(k)]; !is_closed(rows[k], touching) && to < 0)
             share = std::min(share, rows[k].gap / -to);
-    return VectorXd(share * *step);
+    return share * step;
 }
 
 std::optional<VectorXd> held_step(const MovingParts& moving, const std::vector<ClosingRow>& rows,

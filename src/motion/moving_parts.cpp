@@ -278,19 +278,6 @@ MovingParts only(const MovingParts& moving, const std::vector<int>& group, int n
     return own;
 }
 
-/// A round part and the hollow about it hold each other by the line through their middles, which turns as one rolls in the
-/// other: force over the distance of these. Between round parts it drives them apart, which the next step sees.
-std::vector<double> stiffness_across(const std::vector<ClosingRow>& gaps, const VectorXd& force) {
-    std::vector<double> stiffness;
-    for (std::size_t k = 0; k < gaps.size(); ++k) {
-        const ClosingRow& row = gaps[k];
-        const double distance = (row.pivot1 - row.pivot2).dot(row.normal);
-        const bool is_round = row.pivot1 != row.x1 && row.pivot2 != row.x2;
-        stiffness.push_back(is_round && distance > 0 ? force[static_cast<Index>(k)] / distance : 0);
-    }
-    return stiffness;
-}
-
 bool is_led(const MovingParts& moving, const std::vector<Lead>& leads) {
     return std::any_of(moving.list.begin(), moving.list.end(),
                        [&](const MovingPart& p) { return leads[at(p.part)].goes_anywhere(); });
@@ -315,22 +302,46 @@ void add_turns(const MovingParts& moving, const std::vector<ClosingRow>& gaps, c
 
 }  // namespace
 
+std::vector<DrivenGroup> driven_groups(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
+                                       const std::vector<Lead>& leads) {
+    const std::vector<int> group = groups_of(moving, gaps);
+    std::vector<DrivenGroup> driven;
+    for (int g = 0; g < static_cast<int>(group.size()); ++g) {
+        DrivenGroup own{only(moving, group, g), {}};
+        if (own.moving.list.empty() || (own.moving.pull == 0 && !is_led(own.moving, leads))) continue;
+        std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(own.gaps), [&](const ClosingRow& row) {
+            return own.moving.of_part[at(row.first)] >= 0 || own.moving.of_part[at(row.second)] >= 0;
+        });
+        driven.push_back(std::move(own));
+    }
+    return driven;
+}
+
+void put(const DrivenGroup& group, const VectorXd& amplitudes, const MovingParts& moving, VectorXd& all) {
+    for (const MovingPart& p : group.moving.list)
+        all.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(amplitudes);
+}
+
+std::vector<double> stiffness_across(const std::vector<ClosingRow>& gaps, const VectorXd& force) {
+    std::vector<double> stiffness;
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+        const ClosingRow& row = gaps[k];
+        const double distance = (row.pivot1 - row.pivot2).dot(row.normal);
+        const bool is_round = row.pivot1 != row.x1 && row.pivot2 != row.x2;
+        stiffness.push_back(is_round && distance > 0 ? std::max(0.0, force[static_cast<Index>(k)]) / distance : 0);
+    }
+    return stiffness;
+}
+
 Step step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
              const Resisted& by) {
-    const std::vector<int> group = groups_of(moving, gaps);
     Step step{VectorXd::Zero(moving.n), std::vector<double>(moving.of_part.size(), 0)};
-    for (int g = 0; g < static_cast<int>(group.size()); ++g) {
-        const MovingParts own = only(moving, group, g);
-        if (own.list.empty() || (own.pull == 0 && !is_led(own, leads))) continue;
-        std::vector<ClosingRow> rows;
-        std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(rows), [&](const ClosingRow& row) {
-            return own.of_part[at(row.first)] >= 0 || own.of_part[at(row.second)] >= 0;
-        });
+    for (const DrivenGroup& group : driven_groups(moving, gaps, leads)) {
+        const auto& [own, rows] = group;
         solver::Settled settled = settle_rigidly(step_problem(own, rows, leads, by));
         if (by.curved)
             settled = settle_rigidly(step_problem(own, rows, leads, by, stiffness_across(rows, settled.multipliers)));
-        for (const MovingPart& p : own.list)
-            step.amplitudes.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(settled.amplitudes);
+        put(group, settled.amplitudes, moving, step.amplitudes);
         add_turns(own, rows, settled.multipliers, step.turns);
     }
     return step;

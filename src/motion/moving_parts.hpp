@@ -80,13 +80,29 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
 
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);
+/// Such a group that loads or leads drive, as a problem of its own, with the gaps that it has.
+struct DrivenGroup {
+    MovingParts moving;
+    std::vector<ClosingRow> gaps;
+};
+/// All of them: what nothing drives stays.
+std::vector<DrivenGroup> driven_groups(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
+                                       const std::vector<Lead>& leads);
+/// A group's amplitudes among those of all parts.
+void put(const DrivenGroup& group, const Eigen::VectorXd& amplitudes, const MovingParts& moving, Eigen::VectorXd& all);
+
+/// Finds all of them: what nothing drives stays.
+/// which turns as one rolls in the other. Force over the distance of these. Between round parts it drives them apart, which the
+/// next step sees.
+std::vector<double> stiffness_across(const std::vector<ClosingRow>& gaps, const Eigen::VectorXd& force);
+
 /// A step, and the moment over a turn that the forces in its gaps resist a turn of each part by: those that stretch it turn it
 /// back, as a link between its pins, which its gaps alone would let go. Below 0 where they press it.
 struct Step {
     Eigen::VectorXd amplitudes;
     std::vector<double> turns;  ///< by part of the scene
 };
-/// The step of all parts, each group's by itself: its digits are those of its own loads. What nothing drives stays.
+/// The step of all parts, each driven group's by itself: its digits are those of its own loads.
 Step step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
              const Resisted& by);
 

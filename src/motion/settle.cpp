@@ -85,19 +85,28 @@ public:
         return is_at_rest ? pushed(std::move(end)) : end;
     }
 
-    /// As settle_until_held says: parts fall until they touch, roll about where they do, and slide where friction gives way.
+    /// As settle_until_held says: parts fall until they touch, roll about where they do, and slide where friction gives way;
+    /// where all are held, those that are led go on.
     Settling follow_until_held(bool also_pressed) {
         look();
-        if (!may_move() || led_.any() || (closing_.overlaps && is_as_drawn()) ||
-            (!also_pressed && are_all_pressed(moving_, rolling(), leads_of_step(0), touching())))
+        if (!may_move() || (closing_.overlaps && is_as_drawn()) ||
+            (!also_pressed && !is_led_far() && are_all_pressed(moving_, rolling(), leads_of_step(0), touching())))
             return {Settling::End::not_asked, "", {}, {}, ""};
         for (int k = 0; k < max_steps; ++k) {
             const std::vector<ClosingRow> rows = rolling();
-            if (held_step(moving_, rows, leads_of_step(0), touching()) && (is_as_drawn() || close_up()) && move_apart())
-                return rest();
-            const std::optional<VectorXd> step = step_to_touch(moving_, rows, leads_of_step(0), touching());
+            const bool is_held = held_step(moving_, rows, leads_of_step(0), touching()).has_value();
+            if (is_held && led_.are_there(placements_) && is_held_apart()) return rest();
+            const bool goes_on = is_held && !led_.are_there(placements_);
+            const std::vector<Lead> leads = leads_of_step(goes_on ? 1 : 0);
+            const std::optional<VectorXd> step =
+                goes_on ? led_step(moving_, rows, leads, soft_lead, touching()) : driven_step(moving_, rows, leads, touching());
             if (!step) return lost();
-            VectorXd a = *step;
+            if ((goes_on && led_.push_where_blocked(moving_, *step, leads, 1)) ||
+                led_.end_pushes(moving_, *step, placements_)) {
+                find_moving();
+                continue;
+            }
+            VectorXd a = until_touch(moving_, rows, leads, *step, touching());
             if (farthest(a) * step_fraction <= rest_digits) return lost();
             const std::vector<double> distance = distances_to_others();
             while (!advance(a)) {
@@ -112,6 +121,14 @@ public:
 private:
     double touching() const { return arrived_fraction * *std::min_element(sizes_.begin(), sizes_.end()); }
     std::vector<ClosingRow> rolling() const { return rolling_rows(closing_.rows, touching()); }
+    /// Ends the way of parts that are led to where they are held: gaps are closed, and nothing overlaps.
+    bool is_held_apart() {
+        if (is_as_drawn()) return move_apart();
+        if (led_.any()) end_leads();
+        if (!close_up() || !move_apart()) return false;
+        if (led_.any()) end_leads();
+        return true;
+    }
     /// Closes what is left of gaps that friction holds closed. False: it does not hold the parts as gaps close.
     bool close_up() {
         double before = std::numeric_limits<double>::infinity();

@@ -36,8 +36,8 @@ Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const 
                 bool to_the_end = false);
 
 /// Follows the loads of a scene with friction: parts fall until they touch, roll, slide and tip about that, and rest where
-/// friction holds them all. Not asked where supports lead some or, unless `also_pressed`, where all loaded parts are pressed on
-/// others as drawn.
+/// friction holds them all; from there parts go on that supports lead. Not asked where none is led far and, unless
+/// `also_pressed`, all loaded parts are pressed on others as drawn.
 Settling settle_until_held(const Scene& drawn, const ResolvedConditions& conditions, bool also_pressed);
 /// The plan's row of it.
 Effect large_motion_effect(const Settling& settling);

@@ -79,7 +79,9 @@ std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedCondition
     const Leads leads = leads_of(drawn, conditions);
     const auto goes = [](const Lead& lead) { return lead.goes_anywhere(); };
     if (!has_friction(drawn.contacts) || std::none_of(leads.of.begin(), leads.of.end(), goes)) return led;
-    std::vector<Placement> all = settle(without_friction(led_until(drawn, conditions, led)), conditions, {}, true).placements;
+    const Scene until = led_until(drawn, conditions, led);
+    if (std::vector<Placement> held = settle_until_held(until, conditions, true).placements; !held.empty()) return held;
+    std::vector<Placement> all = settle(without_friction(until), conditions, {}, true).placements;
     if (all.empty()) return led;
     const std::vector<Candidate> there = find_candidates_anyway(placed(drawn, conditions, all), 1);
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -18,8 +18,8 @@ Scene without_friction(Scene scene);
 std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedConditions& conditions,
                                      std::vector<Placement> placements, const std::vector<char>& slide = {});
 
-/// Placements at rest, with friction short of the end likewise: what led parts push, so that it slides on others, is where it
-/// is then; what they carry along is at its end. Cost: where parts are led, one more way to rest (settle).
+/// Placements at rest, with friction short of the end likewise: what led parts push and carry is where it is then. Where that
+/// is known without friction only, what they carry is at its end. Cost: where parts are led, one more way to rest.
 std::vector<Placement> short_of_rest(const Scene& drawn, const ResolvedConditions& conditions,
                                      const std::vector<Placement>& rest);
 

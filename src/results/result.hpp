@@ -111,7 +111,7 @@ struct ContactProfile {
     std::vector<double> s, x, y, pressure, gap;
     /// Bonded, or with friction: tangential traction on the second part, along the first's normal turned left.
     std::vector<double> shear;
-    std::vector<double> slip;        ///< with friction: how far the second part has moved along that direction since drawn
+    std::vector<double> slip;        ///< with friction: how far the second part has moved along that direction since it was placed
     std::vector<std::string> state;  ///< with friction: open, stick, slip
     std::vector<std::string> edge2;  ///< "part/edge" of the facing points on the second part
     std::vector<double> s2, x2, y2;

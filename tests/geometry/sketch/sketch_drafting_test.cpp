@@ -127,6 +127,16 @@ TEST(SketchDrafting, APlateWithANoteIsNoSheet) {
     }
 }
 
+/// A block stands in a small window of a plate, on whose layer the window is: they share a line as parts on a sheet do.
+TEST(SketchDrafting, ABlockInAWindowStandsInAPlate) {
+    const auto drawn = [](const std::string& layer) {
+        return parts_with(drawn_rectangle({0, 0}, {100, 60}, "p", layer) + drawn_rectangle({40, 20}, {60, 40}, "w", "PLATE") +
+                          drawn_rectangle({45, 20}, {55, 30}, "b", "BLOCK"));
+    };
+    EXPECT_EQ(sorted_areas(drawn("PLATE")), (std::vector<double>{100, 6000 - 400}));
+    EXPECT_TRUE(tells(drawn("FRAME"), "frame of a sheet"));
+}
+
 TEST(SketchDrafting, PartsOnTheirLayersAreNoTable) {
     for (const bool are_named : {true, false}) {
         const std::string upper = are_named ? "UPPER" : "LOWER";

@@ -163,6 +163,23 @@ TEST(Assumptions, SlenderColumnsAreSaidToBuckle) {
     EXPECT_TRUE(warning(column(thickness, -5 * euler), "part column is slender").empty());
 }
 
+/// A layer is pressed along its length far above Euler's stress; held at its ends alone it buckles, and along its bottom not.
+TEST(Assumptions, WhatIsHeldAlongItsSideDoesNotBuckle) {
+    const double thickness = 0.11, euler = std::pow(M_PI * thickness / 10, 2) / 12 * 1000;
+    for (const double degrees : {0.0, 90.0})
+        for (const bool is_along : {true, false}) {
+            const std::string side =
+                is_along ? std::string(R"(, {"on": "layer/bottom", "fix": [")") + (degrees == 0 ? "y" : "x") + "\"]}" : "";
+            const Result r = test::answer(
+                R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}}, "parts": [{"name": "layer", "material": "m",
+                "geometry": {"rectangle": {"min": [0, 0], "max": [10, )" +
+                test::number(thickness) + R"(]}}, "place": {"rotate": )" + test::number(degrees) + R"(}}],
+                "supports": [{"on": "layer/left", "fix": ["x", "y"]})" +
+                side + R"(], "loads": [{"on": "layer/right", "pressure": )" + test::number(5 * euler) + "}]}");
+            EXPECT_EQ(has_reason(r, "buckling", "part layer may buckle"), !is_along) << degrees;
+        }
+}
+
 /// A ring of radius 100 and thickness 1 under pressure from outside buckles from 3 E I / R^3 on.
 TEST(Assumptions, ThinRingsAreSaidToBuckle) {
     const double critical = 3 * 1000 / 12.0 / std::pow(100, 3);

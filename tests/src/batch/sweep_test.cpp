@@ -73,9 +73,10 @@ std::size_t count(const std::string& text, const std::string& words) {
 
 TEST(Sweep, TheTableHasARowAJob) {
     const std::string begin =
-        "job,status,F,R,\"pin - \"\"hole\"\": max pressure [MPa]\",\"pin - \"\"hole\"\": error of max pressure\",pin: max von "
+        "job,status,F,R,\"pin - \"\"hole\"\": max pressure [MPa]\",\"pin - \"\"hole\"\": error of max pressure [MPa]\",pin: "
+        "max von "
         "Mises stress [MPa],"
-        "pin: error of max von Mises stress\n"
+        "pin: error of max von Mises stress [MPa]\n"
         "1_1,ok,1,5,100,2.5,50,\n"
         "2_1,ok,2,5,200,2.5,100,\n";
     EXPECT_EQ(sweep_csv(made_up()).substr(0, begin.size()), begin);
