@@ -173,7 +173,8 @@ private:
         if (has_proportions_of_paper(own.box) && has_text && own.faces.empty() && is_clear &&
             (has_title || !is_plate(frame, inside)))
             return true;
-        return own.faces.empty() && is_sparse(frame, frame, inside) && !shares_its_layer(frame, inside);
+        return own.faces.empty() && is_sparse(frame, frame, inside) &&
+               (has_proportions_of_paper(own.box) || !shares_its_layer(frame, inside));
     }
 
     /// Do outlines in a frame, but for another frame, share lines, as holes do not, and fill little of it?
@@ -241,6 +242,10 @@ private:
             return;  // so many holes are a plate's
         if (has_proportions_of_paper(found_.shapes[frame].box) && n_texts_in(found_.shapes[frame].box) > 0) {
             doubt(frame, "it has the proportions of paper, and a text in it");
+            return;
+        }
+        if (is_sparse(frame, frame, inside)) {
+            doubt(frame, "outlines in it share lines, as parts that touch do");
             return;
         }
         for (const std::size_t a : inside)

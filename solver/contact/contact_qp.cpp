@@ -130,7 +130,8 @@ double residual_of(const ContactQp& qp, const ContactConditions& c, const Vector
         if (qp.unilateral[static_cast<std::size_t>(k)])
             worst = std::max({worst, -l, -g, std::min(l, g)});
         else
-            worst = std::max(worst, std::abs(g));
+            worst =
+                std::max(worst, scaled(std::abs(c.gap[k]), std::max(length, std::abs(qp.gap[k]))));  // of what is prescribed
     }
     return worst;
 }

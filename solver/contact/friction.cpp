@@ -531,8 +531,9 @@ double friction_residual(const ContactQp& qp, const ContactConditions& c) {
     double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0;
     for (Index k : rows) {
         const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
-        worst = qp.unilateral[static_cast<std::size_t>(k)] ? std::max({worst, -l, -g, std::min(l, g)})
-                                                           : std::max(worst, std::abs(g));
+        worst = qp.unilateral[static_cast<std::size_t>(k)]
+                    ? std::max({worst, -l, -g, std::min(l, g)})
+                    : std::max(worst, scaled(std::abs(c.gap[k]), std::max(length, std::abs(qp.gap[k]))));
     }
     for (const FrictionRow& f : qp.friction) {
         const double pressure = std::max(0.0, scaled(c.multipliers[f.normal], largest));

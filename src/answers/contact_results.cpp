@@ -163,6 +163,22 @@ int edge_named(const ScenePart& part, const std::string& qualified) {
     return 0;
 }
 
+/// Of a pair that is not solved, as both its parts are rigid.
+void name_faces(const Scene& scene, const Candidate& candidate, ContactResult& result) {
+    const CandidateFaces faces = faces_of(scene, candidate);
+    const std::array<int, 2> part{candidate.first, candidate.second};
+    for (std::size_t side : {0U, 1U}) {
+        const ScenePart& own = scene.parts[at(part[side])];
+        const auto name = [&](int edge) { return own.name + "/" + own.part.edges[at(edge)].name; };
+        result.between[side] = name(faces.carrying[side]);
+        for (const auto& [edges, length] : faces.lengths)
+            if (std::vector<std::string>& all = result.edges[side];
+                std::find(all.begin(), all.end(), name(edges[side])) == all.end())
+                all.push_back(name(edges[side]));
+    }
+    result.interface = faces.kind;
+}
+
 std::string interface_of(const Scene& scene, const Candidate& candidate, const std::array<std::string, 2>& between) {
     const ScenePart &a = scene.parts[at(candidate.first)], &b = scene.parts[at(candidate.second)];
     return geometry::interface_kind(a.part, edge_named(a, between[0]), b.part, edge_named(b, between[1]));
@@ -188,6 +204,7 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     result.gap_max = candidate.zone.gap_max - candidate.interference;
     if (solved.interface_of[contact] < 0) {
         result.status = "open";
+        name_faces(scene, candidate, result);
         return result;
     }
     result.status = contact_status(c, solved.stretches[contact]);

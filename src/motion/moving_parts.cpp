@@ -58,6 +58,16 @@ Vec2 middle_of(const Scene& scene, const std::vector<std::size_t>& parts) {
     return sum / all;
 }
 
+/// Twice the distance of the farthest point of some parts from their middle: the same however they are turned.
+double size_of(const Scene& scene, const std::vector<std::size_t>& parts) {
+    const Vec2 middle = middle_of(scene, parts);
+    double farthest = 0;
+    for (const std::size_t i : parts)
+        for (const geometry::Edge& edge : scene.parts[i].part.edges)
+            for (const double t : {0.0, 0.25, 0.5, 0.75}) farthest = std::max(farthest, (point(edge.curve, t) - middle).norm());
+    return 2 * farthest;
+}
+
 /// The same load about another point than `from`.
 RigidLoad about(const Vec2& center, RigidLoad load, const Vec2& from) {
     load.moment += geometry::cross(from - center, load.force);
@@ -126,6 +136,12 @@ Eigen::Vector3d MovingPart::motion(const VectorXd& amplitudes) const {
     return m;
 }
 
+std::vector<double> sizes_of(const Scene& scene) {
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) sizes.push_back(size_of(scene, {i}));
+    return sizes;
+}
+
 Bodies bodies_of(const Scene& drawn) {
     Bodies bodies{std::vector<int>(drawn.parts.size()), {}};
     std::iota(bodies.of_part.begin(), bodies.of_part.end(), 0);
@@ -136,9 +152,9 @@ Bodies bodies_of(const Scene& drawn) {
             const int one = bodies.of_part[at(c.first)], other = bodies.of_part[at(c.second)];
             std::replace(bodies.of_part.begin(), bodies.of_part.end(), std::max(one, other), std::min(one, other));
         }
-    std::vector<geometry::Box2> boxes(drawn.parts.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[at(bodies.of_part[i])].extend(bounding_box(drawn.parts[i].part));
-    for (const int body : bodies.of_part) bodies.size.push_back(boxes[at(body)].diagonal());
+    std::vector<std::vector<std::size_t>> members(drawn.parts.size());
+    for (std::size_t i = 0; i < members.size(); ++i) members[at(bodies.of_part[i])].push_back(i);
+    for (const int body : bodies.of_part) bodies.size.push_back(size_of(drawn, members[at(body)]));
     return bodies;
 }
 

@@ -11,10 +11,14 @@
 
 namespace abut {
 
+/// Measures each part of a scene: twice the distance of its farthest point from its middle, which does not depend on how it is
+/// turned, and nor do steps that are fractions of it.
+std::vector<double> sizes_of(const Scene& scene);
+
 /// Parts that move as one, being bonded to each other.
 struct Bodies {
     std::vector<int> of_part;  ///< the first part of each part's body
-    std::vector<double> size;  ///< by part: the diagonal of its body's box as drawn
+    std::vector<double> size;  ///< by part: its body's, as of sizes_of
 };
 /// Finds them.
 Bodies bodies_of(const Scene& drawn);
@@ -85,13 +89,13 @@ struct DrivenGroup {
     MovingParts moving;
     std::vector<ClosingRow> gaps;
 };
-/// All of them: what nothing drives stays.
+/// Finds all of them: what nothing drives stays.
 std::vector<DrivenGroup> driven_groups(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
                                        const std::vector<Lead>& leads);
 /// A group's amplitudes among those of all parts.
 void put(const DrivenGroup& group, const Eigen::VectorXd& amplitudes, const MovingParts& moving, Eigen::VectorXd& all);
 
-/// Finds all of them: what nothing drives stays.
+/// The stiffness across each gap: a round part and the hollow about it hold each other by the line through their middles,
 /// which turns as one rolls in the other. Force over the distance of these. Between round parts it drives them apart, which the
 /// next step sees.
 std::vector<double> stiffness_across(const std::vector<ClosingRow>& gaps, const Eigen::VectorXd& force);

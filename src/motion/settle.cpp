@@ -46,12 +46,6 @@ std::string why_not_settled(const Scene& scene, const ResolvedConditions& condit
     return "";
 }
 
-std::vector<double> sizes_of(const Scene& scene) {
-    std::vector<double> sizes;
-    for (const ScenePart& part : scene.parts) sizes.push_back(bounding_box(part.part).diagonal());
-    return sizes;
-}
-
 /// The way of the parts.
 class Way {
 public:
@@ -92,7 +86,8 @@ public:
         if (!may_move() || (closing_.overlaps && is_as_drawn()) ||
             (!also_pressed && !is_led_far() && are_all_pressed(moving_, rolling(), leads_of_step(0), touching())))
             return {Settling::End::not_asked, "", {}, {}, ""};
-        for (int k = 0; k < max_steps; ++k) {
+        const int most_steps = max_steps + steps_led();
+        for (int k = 0; k < most_steps; ++k) {
             const std::vector<ClosingRow> rows = rolling();
             const bool is_held = held_step(moving_, rows, leads_of_step(0), touching()).has_value();
             if (is_held && led_.are_there(placements_) && is_held_apart()) return rest();
@@ -160,6 +155,16 @@ private:
     }
 
     std::vector<Lead> leads_of_step(double share) const { return led_.of_step(placements_, share, reach_); }
+
+    /// The steps that the smallest part takes, carried as far as any is led.
+    int steps_led() const {
+        const std::vector<Lead> leads = led_.left(placements_);
+        double way = 0;
+        for (std::size_t i = 0; i < leads.size(); ++i)
+            way = std::max({way, leads[i].to.head<2>().norm(), 0.5 * sizes_[i] * std::abs(leads[i].to[2])});
+        const double steps = way / (step_fraction * *std::min_element(sizes_.begin(), sizes_.end()));
+        return static_cast<int>(std::min<double>(10 * max_steps, steps));
+    }
 
     void end_leads() {
         led_.end(placements_);

@@ -2,6 +2,7 @@
 #include "src/motion/way_left.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/brep/part.hpp"
 #include "src/base/index.hpp"
@@ -13,8 +14,9 @@ namespace abut {
 
 namespace {
 
-/// Of a part's size: what a part slides on by in the solution, some ten times what steel is strained by.
-constexpr double slides_on = 1e-3;
+/// Of a part's size: what a part slides on by in the solution, some ten times what steel is strained by. What goes along may be
+/// small beside that, and its displacements are to stay small beside it: of the smallest part's size.
+constexpr double slides_on = 1e-3, most_of_smallest = 0.02;
 
 /// The scene with motions prescribed as far only as these placements have come.
 Scene led_until(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {
@@ -59,13 +61,15 @@ std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedCondition
     if (!has_friction(drawn.contacts) || placements.empty()) return placements;
     const std::vector<Placement> ends = placements;
     const Leads leads = leads_of(drawn, conditions);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const ScenePart& part : drawn.parts) smallest = std::min(smallest, bounding_box(part.part).diagonal());
     for (std::size_t i = 0; i < ends.size(); ++i) {
         if (!leads.of[i].goes_anywhere() && (slide.empty() || !slide[i])) continue;
         const geometry::Part& part = drawn.parts[i].part;
         const Vec2 center = centroid(part), by = ends[i].of(center) - center;
         const double size = bounding_box(part).diagonal(), way = std::max(by.norm(), 0.5 * size * std::abs(ends[i].angle));
         if (way == 0) continue;
-        const double gone = std::max(0.0, 1 - slides_on * size / way);
+        const double gone = std::max(0.0, 1 - std::min(slides_on * size, most_of_smallest * smallest) / way);
         const auto goes_along = [&](std::size_t k) { return ends[k].angle == ends[i].angle && ends[k].shift == ends[i].shift; };
         for (std::size_t k = 0; k < ends.size(); ++k)  // bonded to it
             if (goes_along(k)) placements[k] = about_center(center, gone * by, gone * ends[i].angle);

@@ -173,7 +173,6 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         solved.shear_of.push_back(-1);
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
-        solved.contacts.back().zone = c.zone;
         if (!made[k].contact) continue;
         solved.contacts.back() = std::move(*made[k].contact);
         ContactInterface& contact = solved.contacts.back();

@@ -134,7 +134,8 @@ TEST(SketchDrafting, ABlockInAWindowStandsInAPlate) {
                           drawn_rectangle({45, 20}, {55, 30}, "b", "BLOCK"));
     };
     EXPECT_EQ(sorted_areas(drawn("PLATE")), (std::vector<double>{100, 6000 - 400}));
-    EXPECT_TRUE(tells(drawn("FRAME"), "frame of a sheet"));
+    EXPECT_TRUE(tells(drawn("PLATE"), "is taken as a plate; outlines in it share lines, as parts that touch do, so it may be"));
+    EXPECT_TRUE(tells(drawn("FRAME"), "set aside as frame of a sheet"));
 }
 
 TEST(SketchDrafting, PartsOnTheirLayersAreNoTable) {
