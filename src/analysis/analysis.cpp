@@ -437,15 +437,17 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
         }
     }
     if (scene.in_steps && !any_rests)
-        if (const auto there = let_go(scenes.front(), begun.front().conditions, outcomes.front())) {
+        if (const std::optional<Rest> there = let_go(scenes.front(), begun.front().conditions, outcomes.front())) {
             // friction remembers on grids that all steps share: all of them are where the first takes the parts
             problems.clear();
             begun.front().not_held = not_held(scenes.front(), outcomes.front());
             for (std::size_t k = 0; k < scenes.size(); ++k) {
-                begun[k].rest = Rest{placed(scenes[k], begun[k].conditions, *there), *there};
+                begun[k].rest =
+                    Rest{placed(scenes[k], begun[k].conditions, there->placements), there->placements, there->is_held};
                 problems.push_back({&begun[k].rest->scene, &begun[k].conditions});
             }
-            outcomes = solve_cases_adaptively(placed(scene, resolve_conditions(scene), *there), problems, options, seconds);
+            outcomes =
+                solve_cases_adaptively(placed(scene, resolve_conditions(scene), there->placements), problems, options, seconds);
         }
     std::set<int> closed;
     for (std::size_t k = 0; k < scenes.size(); ++k) {

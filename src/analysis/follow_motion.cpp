@@ -29,10 +29,15 @@ bool has_answer(const Outcome& out) {
     return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
 }
 
+Rest rest_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements,
+             bool is_held = false) {
+    Scene there = placed(drawn, conditions, placements);
+    return {std::move(there), std::move(placements), is_held};
+}
+
 /// Solves the scene with its parts placed there. False: it has no answer there either.
-bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements,
-              const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
-    Rest there{placed(drawn, conditions, placements), std::move(placements)};
+bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, Rest there, const AnalyzeOptions& options,
+              Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
     // parts that press on each other overlap where their rigid motions have them: contact presses them apart; with friction,
     // which would hold what is pressed together before the loads are, they touch
     if (there.scene.contacts.overlap == "report")
@@ -209,10 +214,12 @@ Vec2 from_where(const Placement& p, const Vec2& x) {
 /// limit; that of soft bodies may not have come there over what was left of the way.
 void tell_friction_short_of_its_limit(const Scene& drawn, const ResolvedConditions& conditions, const Rest& rest,
                                       const SolvedAssembly& solved, Result& result) {
-    constexpr double slid = 5e-4;      // of the smaller part's size: half of what is left of the way
-    constexpr double slides = 0.1;     // of that: what moves so little at the end lies still, however far it has come
+    constexpr double slid = 5e-4;  // of the smaller part's size: half of what is left of the way
+    constexpr double slides =
+        0.1;  // of that: what friction holds and moves so little at the end lies still, however far it has come
     constexpr double at_limit = 0.98;  // a rim may stick
     std::vector<Finding> findings;
+    if (!solved.problem.before.empty()) return;  // of a later step, in which they are there
     const Leads leads = leads_of(drawn, conditions);
     if (std::none_of(leads.of.begin(), leads.of.end(), [](const Lead& lead) { return lead.goes_anywhere(); })) return;
     const std::vector<Placement> motions = motions_of(rest.scene, conditions, solved);
@@ -230,7 +237,8 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const ResolvedConditio
                      size = std::min(bounding_box(drawn.parts[at(part[0])].part).diagonal(),
                                      bounding_box(drawn.parts[at(part[1])].part).diagonal());
         const Vec2 now = motions[at(part[0])].of(pair.on1.x) - motions[at(part[1])].of(pair.on1.x);
-        if (along <= slid * size || std::abs(geometry::left_of(pair.normal).dot(now)) <= slides * slid * size) continue;
+        const bool lies_still = std::abs(geometry::left_of(pair.normal).dot(now)) <= slides * slid * size;
+        if (along <= slid * size || (rest.is_held && lies_still)) continue;
         const std::string who = drawn.parts[at(part[0])].name + " and " + drawn.parts[at(part[1])].name;
         findings.push_back({along, who,
                             who + " slide along each other by " + with_unit(along, 3, drawn.length_unit) +
@@ -249,16 +257,30 @@ bool turn_far(const SolvedAssembly& solved) {
     return false;
 }
 
-/// Where parts go that friction does not hold, far from where they are drawn; nothing where it does, or none is known.
-std::optional<std::vector<Placement>> where_let_go(const Scene& drawn, const ResolvedConditions& conditions,
-                                                   const Outcome& out) {
-    const bool goes_on = has_answer(out) && do_parts_go_on(drawn, out.solved), is_answer = has_answer(out) && !drawn.in_steps;
-    if (has_answer(out) && !goes_on && !far_placements_of(drawn, out.solved)) return std::nullopt;
+/// The first of some steps by itself.
+Scene alone(Scene step) {
+    step.in_steps = false;
+    return step;
+}
+
+/// Where parts go that friction does not hold, far from where they are drawn; nothing where it does, or none is known. Of steps
+/// it is the first, which takes parts to where all of them go on.
+std::optional<Rest> where_let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
+    if (drawn.in_steps) {
+        std::optional<Rest> there = where_let_go(alone(drawn), conditions, out);
+        if (there) there->scene.in_steps = true;
+        return there;
+    }
+    const bool is_answer = has_answer(out), goes_on = is_answer && do_parts_go_on(drawn, out.solved),
+               are_led = are_led_far(drawn, conditions);
+    if (has_answer(out) && !goes_on && !are_led && !far_placements_of(drawn, out.solved)) return std::nullopt;
     Settling there = settle_until_held(drawn, conditions, !is_answer || goes_on || turn_far(out.solved));
     if (there.end == Settling::End::not_asked && (is_answer || out.solved.solution.holding_factor > 0)) return std::nullopt;
-    if (there.end == Settling::End::not_asked) there = settle(without_friction(drawn), conditions);
+    const bool is_held = there.end == Settling::End::rests;
+    if (there.end == Settling::End::not_asked || (there.end == Settling::End::lost && are_led && !has_answer(out)))
+        there = settle(without_friction(drawn), conditions);
     if (there.end != Settling::End::rests) return std::nullopt;
-    return short_of_rest(drawn, conditions, there.placements);
+    return rest_at(drawn, conditions, short_of_rest(drawn, conditions, there.placements), is_held);
 }
 
 }  // namespace
@@ -267,13 +289,15 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
     if (settling.end != Settling::End::rests) return std::nullopt;
     find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
     std::vector<Placement> placements = short_of_rest(drawn, conditions, settling.placements);
-    return Rest{placed(drawn, conditions, placements), std::move(placements)};
+    return rest_at(drawn, conditions, std::move(placements));
 }
 
-std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
+std::optional<Rest> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
     if (!has_friction(drawn.contacts)) return std::nullopt;
-    std::optional<std::vector<Placement>> there = where_let_go(drawn, conditions, out);
-    return there || !has_answer(out) ? there : rest_beside(drawn, conditions, out);
+    std::optional<Rest> there = where_let_go(drawn, conditions, out);
+    if (there || !has_answer(out)) return there;
+    std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out);
+    return beside ? std::optional(rest_at(drawn, conditions, std::move(*beside))) : std::nullopt;
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -284,10 +308,11 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!goes_nowhere(beside.placements) &&
             (!has_answer(out) || is_explained_by(drawn, conditions, beside.placements, out.solved)))
-            solve_at(drawn, conditions, short_of_rest(drawn, conditions, beside.placements), options, seconds, out, rest);
+            solve_at(drawn, conditions, rest_at(drawn, conditions, short_of_rest(drawn, conditions, beside.placements)),
+                     options, seconds, out, rest);
     }
     if (!drawn.in_steps)
-        if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
+        if (std::optional<Rest> there = let_go(drawn, conditions, out))
             solve_at(drawn, conditions, std::move(*there), options, seconds, out, rest);
     // With friction parts would begin anew where they have gone, beside springs that begin where they are drawn.
     const bool begins_anew = has_friction(drawn.contacts) && has_support(drawn, Support::Kind::spring);
@@ -300,8 +325,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
             placements[i] = followed_by(placements[i], (*more)[i]);
             slide.push_back(!(*more)[i].goes_nowhere());
         }
-        if (!solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(placements), slide), options, seconds, out,
-                      rest))
+        std::vector<Placement> short_of_there = with_way_left(drawn, conditions, std::move(placements), slide);
+        if (!solve_at(drawn, conditions, rest_at(drawn, conditions, std::move(short_of_there)), options, seconds, out, rest))
             break;
     }
 }

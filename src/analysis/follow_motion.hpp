@@ -11,11 +11,11 @@ namespace abut {
 /// The place of rest that parts settle at as rigid bodies, if that is far from where they are drawn.
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling);
 
-/// Friction may hold parts where they are drawn. Where it does not, there is no answer, or one in which parts roll on or turn
-/// far, and they go to where it holds them, or, beside parts that are led, to where the loads take them without it. Where the
-/// answer only slides them, they go to where they rest without friction, if it has them there. Their placements, or nothing
-/// where they stay.
-std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out);
+/// Friction may hold parts where they are drawn. Where it does not, there is no answer, or one in which parts roll on, turn far
+/// or are led far, and they go to where it holds them; where no way there is found, to where the loads take them without it.
+/// Where the answer only slides them, they go to where they rest without friction, if it has them there. The scene with its
+/// parts there, or nothing where they stay.
+std::optional<Rest> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out);
 
 /// Where nothing holds a part as drawn that rests a little beside, or pairs of where parts are drawn are why the target is
 /// missed, solves where they rest as rigid bodies. Where the solution goes far from the place that it was paired at (`rest`, or

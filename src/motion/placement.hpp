@@ -67,6 +67,7 @@ Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Ve
 struct Rest {
     Scene scene;
     std::vector<Placement> placements;
+    bool is_held = false;  ///< by friction, which was there on the way, too
 };
 
 /// "pin by (0, -4)", "lever by (0.1, -2) and 3.5 degrees"; center: of the part as drawn.

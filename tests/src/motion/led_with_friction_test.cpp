@@ -112,5 +112,27 @@ TEST(LedWithFriction, ASledgeIsNotTiltedByWhereItSticks) {
     }
 }
 
+/// So do the steps of a scene, which all are where the first takes the parts.
+TEST(LedWithFriction, StepsBeginWhereTheFirstOneLeads) {
+    const std::vector<Result> steps = test::answer_of_cases(
+        R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2.1e5, "nu": 0.3}}, "parts": [)" +
+        block("floor", -100, -30, 200, 0) + ", " + block("cart", 0, 0, 60, 30) + ", " + block("top", 10, 30, 50, 50) +
+        R"(], "supports": [{"on": "floor/bottom", "fix": ["x", "y"]},
+            {"part": "cart", "rigid": {"translation": [60, null], "rotation": 0}}],
+        "loads": [{"part": "cart", "force": [0, -40], "name": "weight"}, {"part": "top", "force": [0, -10], "name": "weight"},
+            {"part": "top", "force": [2, 0], "name": "side"}],
+        "steps": [{"name": "led", "loads": {"weight": 1}}, {"name": "pushed", "loads": {"weight": 1, "side": 1}}],
+        "contacts": {"friction": 0.3}, "accuracy": {"level": "draft"}})");
+    ASSERT_EQ(steps.size(), 2U);
+    for (const Result& step : steps) {
+        ASSERT_EQ(step.status, "ok") << step.message;
+        for (const std::size_t i : {1U, 2U}) EXPECT_NEAR(along(step, i), 60, 0.1);
+        EXPECT_FALSE(std::any_of(step.reasons.begin(), step.reasons.end(), [](const Reason& reason) {
+            return reason.text.find("is not at its limit") != std::string::npos;
+        }));
+    }
+    EXPECT_NEAR(steps[0].reactions.at(1).force.x(), 0.3 * 50, 1e-3);
+}
+
 }  // namespace
 }  // namespace abut::led_with_friction_test
