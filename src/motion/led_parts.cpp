@@ -65,7 +65,9 @@ std::vector<Lead> LedParts::left(const std::vector<Placement>& placements) const
 
 std::vector<Lead> LedParts::of_step(const std::vector<Placement>& placements, double share, double reach) const {
     std::vector<Lead> leads = left(placements);
-    for (std::size_t i = 0; i < leads.size(); ++i) leads[i].to *= share / std::max(1.0, steps_to(i, leads[i]) / reach);
+    double longest = reach;
+    for (std::size_t i = 0; i < leads.size(); ++i) longest = std::max(longest, steps_to(i, leads[i]));
+    for (Lead& lead : leads) lead.to *= share * reach / longest;
     return leads;
 }
 

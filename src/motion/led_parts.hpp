@@ -23,7 +23,7 @@ public:
 
     /// What is still to come of the prescribed motions.
     std::vector<Lead> left(const std::vector<Placement>& placements) const;
-    /// A share of the same, no farther than `reach` of the longest step.
+    /// A share of the same, no farther than `reach` of the longest step: parts go side by side, and are there together.
     std::vector<Lead> of_step(const std::vector<Placement>& placements, double share, double reach) const;
     bool are_there(const std::vector<Placement>& placements) const;
     /// Meets prescribed motions exactly; bonded parts go where one of them is led.

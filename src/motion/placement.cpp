@@ -166,9 +166,11 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
 std::string placement_text(const std::string& part, const Placement& placement, const Vec2& center, double size) {
     constexpr double told = 1e-3;       // of its size, by what a turn moves the part's rim
     constexpr double rounding = 1e-12;  // likewise
+    constexpr double digits = 1e-4;     // of how far it goes: what the digits of that do not show
     Vec2 by = placement.of(center) - center;
+    const double least = std::max(rounding * size, digits * by.norm());
     for (double& b : by)
-        if (std::abs(b) <= rounding * size) b = 0;
+        if (std::abs(b) <= least) b = 0;
     std::string text = part + " by (" + number_text(by.x(), 3) + ", " + number_text(by.y(), 3) + ")";
     if (std::abs(placement.angle) * size > told * size)
         text += " and " + number_text(placement.angle * 180 / std::numbers::pi, 2) + " degrees";
