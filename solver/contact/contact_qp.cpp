@@ -122,17 +122,9 @@ bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
 /// closing: C l.
 double residual_of(const ContactQp& qp, const ContactConditions& c, const VectorXd& closing) {
     if (c.gap.size() == 0) return 0;
-    const auto [force, largest, length] = residual_scales(qp, c, closing);
-    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
-    double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0.0;
-    for (Index k = 0; k < c.gap.size(); ++k) {
-        const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
-        if (qp.unilateral[static_cast<std::size_t>(k)])
-            worst = std::max({worst, -l, -g, std::min(l, g)});
-        else
-            worst =
-                std::max(worst, scaled(std::abs(c.gap[k]), std::max(length, std::abs(qp.gap[k]))));  // of what is prescribed
-    }
+    const ResidualScales scales = residual_scales(qp, c, closing);
+    double worst = c.imbalance.size() > 0 ? over_scale(c.imbalance.cwiseAbs().maxCoeff(), scales.force) : 0;
+    for (Index k = 0; k < c.gap.size(); ++k) worst = std::max(worst, row_residual(qp, c, scales, k));
     return worst;
 }
 
@@ -338,6 +330,17 @@ ResidualScales residual_scales(const ContactQp& qp, const ContactConditions& c, 
     const double least = feasibility_tolerance * qp.load_scale, largest = std::max(least, c.multipliers.cwiseAbs().maxCoeff());
     const double of_least = least * qp.compliance.diagonal().maxCoeff();
     return {force_scale(qp, c.multipliers), largest, std::max(of_least, (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff())};
+}
+
+double over_scale(double value, double scale) {
+    return scale > 0 ? value / scale : 0;
+}
+
+double row_residual(const ContactQp& qp, const ContactConditions& c, const ResidualScales& scales, Index row) {
+    if (!qp.unilateral[static_cast<std::size_t>(row)])  // what is prescribed has its own rounding
+        return over_scale(std::abs(c.gap[row]), std::max(scales.length, std::abs(qp.gap[row])));
+    const double l = over_scale(c.multipliers[row], scales.multiplier), g = over_scale(c.gap[row], scales.length);
+    return std::max({-l, -g, std::min(l, g)});
 }
 
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {

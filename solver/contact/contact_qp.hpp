@@ -98,9 +98,9 @@ struct ContactConditions {
 };
 /// The largest violation of the conditions, scaled: imbalance relative to the loads (a press fit: to the contact forces),
 /// negative multipliers relative to the largest, penetration and gaps of bilateral rows relative to the largest elastic closing
-/// max(C l), which clearances and rigid motions do not enlarge, and min(l, gap) in the same units. Nothing is measured by less
-/// than multipliers of 1e-8 of the loads would be: what rounding leaves where nothing is carried has no other scale.
-/// Without any multiplier and load gaps are relative to the largest of them.
+/// max(C l), which clearances and rigid motions do not enlarge, or to what is prescribed, and min(l, gap) in the same units.
+/// Nothing is measured by less than multipliers of 1e-8 of the loads would be: what rounding leaves where nothing is carried
+/// has no other scale. Without any multiplier and load gaps are relative to the largest of them.
 double contact_residual(const ContactQp& qp, const ContactConditions& conditions);
 
 /// What residuals of a problem's conditions are measured by; 0: nothing is there to measure.
@@ -109,6 +109,10 @@ struct ResidualScales {
 };
 /// closing: C l.
 ResidualScales residual_scales(const ContactQp& qp, const ContactConditions& conditions, const Eigen::VectorXd& closing);
+/// Measures by how much a row of pressure or a bilateral one misses its conditions.
+double row_residual(const ContactQp& qp, const ContactConditions& conditions, const ResidualScales& scales, Eigen::Index row);
+/// A value over its scale; 0 where there is none.
+double over_scale(double value, double scale);
 
 /// Finds multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; a motion that the set
 /// leaves free stays at zero. Rows of friction that slip have the multiplier that their pressure gives them. False where C is

@@ -31,7 +31,7 @@ constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-
 constexpr int creep_passes = 24, steady_passes = 4;
 /// What slides is stopped by rows that come so fast, of how fast it slips. Slower ones are those of round faces that slide.
 constexpr double stop_slope = 0.1, stop_rounding = 1e-6;
-/// Of the largest elastic closing: slips beyond are none of bodies that rest near where they were.
+/// Of the largest elastic closing.
 constexpr double far_slip = 10;
 /// Mechanisms: how much larger coefficients are looked at, and how closely; of sliding bodies, whose pressures change with it.
 constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 5e-5;
@@ -324,18 +324,27 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
-double elastic_slip(const ContactState& state) {
-    return far_slip * state.closing.cwiseAbs().maxCoeff();
+/// The rows but for those of slip: of pressure, and bilateral ones.
+std::vector<Index> normal_rows(const ContactQp& qp) {
+    std::vector<char> is_tangential(qp.unilateral.size(), 0);
+    for (const FrictionRow& f : qp.friction) is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
+    std::vector<Index> rows;
+    for (std::size_t k = 0; k < is_tangential.size(); ++k)
+        if (!is_tangential[k]) rows.push_back(static_cast<Index>(k));
+    return rows;
 }
 
 /// How far bodies are led.
 double led_by(const ContactQp& qp) {
-    std::vector<char> is_led(qp.unilateral.size(), 1);
-    for (const FrictionRow& f : qp.friction) is_led[static_cast<std::size_t>(f.tangential)] = 0;
     double way = 0;
-    for (std::size_t k = 0; k < is_led.size(); ++k)
-        if (is_led[k] && !qp.unilateral[k]) way = std::max(way, std::abs(qp.gap[static_cast<Index>(k)]));
+    for (const Index k : normal_rows(qp))
+        if (!qp.unilateral[static_cast<std::size_t>(k)]) way = std::max(way, std::abs(qp.gap[k]));
     return way;
+}
+
+/// Slips beyond are none of bodies that only give way.
+double elastic_slip(const ContactState& state) {
+    return far_slip * state.closing.cwiseAbs().maxCoeff();
 }
 
 /// Has a search left bodies much farther from where it began than they give way, or are led? Where several answers are
@@ -392,6 +401,10 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
         state = at_rest.state;
         result.active = at_rest.sticks;
     };
+    const auto pivots_find_it = [&] {
+        begin_at_rest();
+        return pivot_to_answer(near, start.stiffness, state, result);
+    };
     begin_at_rest();
     result.converged = search_exactly(near, state, result);
     if (!result.converged && qp.modes.cols() > 0) {
@@ -399,18 +412,15 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
         begin_at_rest();
         if (const std::optional<Sliding> sliding = creep(near, start.stiffness, state, result).sliding) {
             // what is led far is tilted by where it sticks as it begins, and creeps back for long: that is no motion of its own
-            if (led_by(qp) > elastic_slip(state)) {
-                const ContactState slid = state;
-                const ActiveSet states = result.active;
-                begin_at_rest();
-                if (pivot_to_answer(near, start.stiffness, state, result) && !has_gone_far(near, state, result.active)) {
-                    result.converged = true;
-                    write_answer(near, start.amplitudes, state, result);
-                    return result;
-                }
-                state = slid;
-                result.active = states;
+            const ContactState slid = state;
+            const ActiveSet slides = result.active;
+            result.converged = led_by(qp) > elastic_slip(slid) && pivots_find_it() && !has_gone_far(near, state, result.active);
+            if (result.converged) {
+                write_answer(near, start.amplitudes, state, result);
+                return result;
             }
+            state = slid;
+            result.active = slides;
             result.mechanism = sliding->motion;
             if (qp.asks_holding_factor)
                 result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
@@ -419,10 +429,7 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
         }
         result.converged = state.multipliers.size() > 0 && search_exactly(near, state, result);
     }
-    if (!result.converged) {
-        begin_at_rest();
-        result.converged = pivot_to_answer(near, start.stiffness, state, result);
-    }
+    if (!result.converged) result.converged = pivots_find_it();
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};
     write_answer(near, start.amplitudes, state, result);
     return result;
@@ -521,24 +528,13 @@ bool has_another_answer(const ContactQp& qp, const ContactQpResult& result) {
 }
 
 double friction_residual(const ContactQp& qp, const ContactConditions& c) {
-    std::vector<Index> rows;
-    std::vector<char> is_tangential(qp.unilateral.size(), 0);
-    for (const FrictionRow& f : qp.friction) is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
-    for (std::size_t k = 0; k < is_tangential.size(); ++k)
-        if (!is_tangential[k]) rows.push_back(static_cast<Index>(k));
-    const auto [force, largest, length] = residual_scales(qp, c, qp.compliance * c.multipliers);
-    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
-    double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0;
-    for (Index k : rows) {
-        const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
-        worst = qp.unilateral[static_cast<std::size_t>(k)]
-                    ? std::max({worst, -l, -g, std::min(l, g)})
-                    : std::max(worst, scaled(std::abs(c.gap[k]), std::max(length, std::abs(qp.gap[k]))));
-    }
+    const ResidualScales scales = residual_scales(qp, c, qp.compliance * c.multipliers);
+    double worst = c.imbalance.size() > 0 ? over_scale(c.imbalance.cwiseAbs().maxCoeff(), scales.force) : 0;
+    for (const Index k : normal_rows(qp)) worst = std::max(worst, row_residual(qp, c, scales, k));
     for (const FrictionRow& f : qp.friction) {
-        const double pressure = std::max(0.0, scaled(c.multipliers[f.normal], largest));
-        const double bound = f.coefficient * pressure, t = scaled(c.multipliers[f.tangential], largest);
-        const double slip = scaled(c.gap[f.tangential], length);
+        const double pressure = std::max(0.0, over_scale(c.multipliers[f.normal], scales.multiplier));
+        const double bound = f.coefficient * pressure, t = over_scale(c.multipliers[f.tangential], scales.multiplier);
+        const double slip = over_scale(c.gap[f.tangential], scales.length);
         const double left = pressure == 0 ? 0 : slip > 0 ? t + bound : bound - t;  // of the way to the slip's own bound
         worst = std::max({worst, std::abs(t) - bound, std::min(std::abs(slip), left)});
     }

@@ -442,8 +442,7 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
             problems.clear();
             begun.front().not_held = not_held(scenes.front(), outcomes.front());
             for (std::size_t k = 0; k < scenes.size(); ++k) {
-                begun[k].rest =
-                    Rest{placed(scenes[k], begun[k].conditions, there->placements), there->placements, there->is_held};
+                begun[k].rest = rest_at(scenes[k], begun[k].conditions, there->placements, there->is_held);
                 problems.push_back({&begun[k].rest->scene, &begun[k].conditions});
             }
             outcomes =

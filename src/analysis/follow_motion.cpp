@@ -29,12 +29,6 @@ bool has_answer(const Outcome& out) {
     return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
 }
 
-Rest rest_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements,
-             bool is_held = false) {
-    Scene there = placed(drawn, conditions, placements);
-    return {std::move(there), std::move(placements), is_held};
-}
-
 /// Solves the scene with its parts placed there. False: it has no answer there either.
 bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, Rest there, const AnalyzeOptions& options,
               Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
@@ -149,8 +143,7 @@ bool meet_others(const Scene& drawn, const ResolvedConditions& conditions, const
 /// others that springs hold, which give way, the solution tells of them only whether they go along, and nothing where they
 /// meet what it does not know of. Nothing where none goes
 /// farther than its pairs are good for.
-std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
-                                                  const Outcome& out) {
+std::optional<Rest> rest_beside(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
     constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
     constexpr double along = 0.5;     // likewise
     const std::vector<Placement> motions = motions_of(drawn, conditions, out.solved);
@@ -166,7 +159,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     if (share_not_explained(drawn, motions, loose.placements) > most &&
         !meet_others(drawn, conditions, loose.placements, out.candidates))
         return std::nullopt;
-    return short_of_rest(drawn, conditions, loose.placements);
+    return rest_at(drawn, conditions, short_of_rest(drawn, conditions, loose.placements));
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -214,12 +207,11 @@ Vec2 from_where(const Placement& p, const Vec2& x) {
 /// limit; that of soft bodies may not have come there over what was left of the way.
 void tell_friction_short_of_its_limit(const Scene& drawn, const ResolvedConditions& conditions, const Rest& rest,
                                       const SolvedAssembly& solved, Result& result) {
-    constexpr double slid = 5e-4;  // of the smaller part's size: half of what is left of the way
-    constexpr double slides =
-        0.1;  // of that: what friction holds and moves so little at the end lies still, however far it has come
+    constexpr double slid = 5e-4;      // of the smaller part's size: half of what is left of the way
+    constexpr double slides = 0.1;     // of that: what friction holds lies still if it moves no more, however far it has come
     constexpr double at_limit = 0.98;  // a rim may stick
-    std::vector<Finding> findings;
     if (!solved.problem.before.empty()) return;  // of a later step, in which they are there
+    std::vector<Finding> findings;
     const Leads leads = leads_of(drawn, conditions);
     if (std::none_of(leads.of.begin(), leads.of.end(), [](const Lead& lead) { return lead.goes_anywhere(); })) return;
     const std::vector<Placement> motions = motions_of(rest.scene, conditions, solved);
@@ -257,27 +249,15 @@ bool turn_far(const SolvedAssembly& solved) {
     return false;
 }
 
-/// The first of some steps by itself.
-Scene alone(Scene step) {
-    step.in_steps = false;
-    return step;
-}
-
-/// Where parts go that friction does not hold, far from where they are drawn; nothing where it does, or none is known. Of steps
-/// it is the first, which takes parts to where all of them go on.
+/// Where parts go that friction does not hold, far from where they are drawn; nothing where it does, or none is known.
 std::optional<Rest> where_let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
-    if (drawn.in_steps) {
-        std::optional<Rest> there = where_let_go(alone(drawn), conditions, out);
-        if (there) there->scene.in_steps = true;
-        return there;
-    }
     const bool is_answer = has_answer(out), goes_on = is_answer && do_parts_go_on(drawn, out.solved),
                are_led = are_led_far(drawn, conditions);
-    if (has_answer(out) && !goes_on && !are_led && !far_placements_of(drawn, out.solved)) return std::nullopt;
+    if (is_answer && !goes_on && !are_led && !far_placements_of(drawn, out.solved)) return std::nullopt;
     Settling there = settle_until_held(drawn, conditions, !is_answer || goes_on || turn_far(out.solved));
     if (there.end == Settling::End::not_asked && (is_answer || out.solved.solution.holding_factor > 0)) return std::nullopt;
     const bool is_held = there.end == Settling::End::rests;
-    if (there.end == Settling::End::not_asked || (there.end == Settling::End::lost && are_led && !has_answer(out)))
+    if (there.end == Settling::End::not_asked || (there.end == Settling::End::lost && are_led && !is_answer))
         there = settle(without_friction(drawn), conditions);
     if (there.end != Settling::End::rests) return std::nullopt;
     return rest_at(drawn, conditions, short_of_rest(drawn, conditions, there.placements), is_held);
@@ -288,16 +268,13 @@ std::optional<Rest> where_let_go(const Scene& drawn, const ResolvedConditions& c
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
     if (settling.end != Settling::End::rests) return std::nullopt;
     find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
-    std::vector<Placement> placements = short_of_rest(drawn, conditions, settling.placements);
-    return rest_at(drawn, conditions, std::move(placements));
+    return rest_at(drawn, conditions, short_of_rest(drawn, conditions, settling.placements));
 }
 
 std::optional<Rest> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
     if (!has_friction(drawn.contacts)) return std::nullopt;
     std::optional<Rest> there = where_let_go(drawn, conditions, out);
-    if (there || !has_answer(out)) return there;
-    std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out);
-    return beside ? std::optional(rest_at(drawn, conditions, std::move(*beside))) : std::nullopt;
+    return there || !has_answer(out) ? there : rest_beside(drawn, conditions, out);
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,

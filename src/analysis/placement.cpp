@@ -54,6 +54,7 @@ FittedMotion fitted_motion_of(const SolvedAssembly& solved, std::size_t grid) {
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
                                                     const SolvedAssembly& solved) {
     if (!why_not_followed(scene, conditions).empty()) return std::nullopt;
+    if (scene.in_steps && has_friction(scene.contacts)) return std::nullopt;  // they stay where the first takes the parts
     return far_placements_of(scene, solved);
 }
 

@@ -22,6 +22,8 @@ namespace abut {
 
 namespace {
 
+constexpr double across_column = 0.5;  // cosine: what points more along a column is at its ends
+
 struct Column {
     Vec2 along{0, 0};        ///< between the ends that are farthest apart; parts with holes are none
     double slenderness = 0;  ///< thickness over length
@@ -79,15 +81,15 @@ bool is_bonded_along(const SolvedAssembly& solved, std::size_t grid, double alon
 
 /// Do supports hold a column against moving aside along half of its length?
 bool is_held_along(const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
-    constexpr double aside = 0.5;  // cosine
     const PartOnGrid& g = solved.grids[grid];
     const Vec2 axis = g.frame.vector_to_local(along.normalized());
     double held = 0;
     for (const solver::SupportRecord& record : solved.problem.parts[grid].supports) {
         const solver::SupportSet& set = record.set;
         if (!set.side)
-            for (const solver::SupportPoint& p : set.points) held += std::abs(axis.dot(p.direction)) <= aside ? p.weight : 0;
-        else if (std::abs(axis[set.component]) <= aside)
+            for (const solver::SupportPoint& p : set.points)
+                held += std::abs(axis.dot(p.direction)) <= across_column ? p.weight : 0;
+        else if (std::abs(axis[set.component]) <= across_column)
             for (const solver::Stretch& stretch : set.stretches) held += stretch.to - stretch.from;
     }
     return held >= 0.5 * along.norm();
@@ -95,7 +97,6 @@ bool is_held_along(const SolvedAssembly& solved, std::size_t grid, const Vec2& a
 
 /// Is a part pressed between others from both of its long sides, along half of its length at least? So is a gasket.
 bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
-    constexpr double aside = 0.5;  // cosine: faces that look more along the column are its ends
     const Vec2 axis = along.normalized();
     std::array<double, 2> pressed{0, 0};  // by side
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
@@ -105,7 +106,7 @@ bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::s
                 if (at(c.face.part[of]) != grid) continue;
                 const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (stretch.begin + stretch.end));
                 const Vec2 normal = of == 0 ? pair.on1.normal : pair.on2.normal;
-                if (!pair.found || std::abs(normal.dot(axis)) > aside) continue;
+                if (!pair.found || std::abs(normal.dot(axis)) > across_column) continue;
                 pressed[geometry::cross(axis, normal) > 0 ? 0 : 1] += stretch.end - stretch.begin;
             }
     return std::min(pressed[0], pressed[1]) >= 0.5 * along.norm();

@@ -25,7 +25,7 @@ struct Side {
     const PartOnGrid& grid;
     const Eigen::VectorXd& displacement;
 
-    std::string edge_name(int edge) const { return part.name + "/" + part.part.edges[at(edge)].name; }
+    std::string edge_name(int edge) const { return name_of_edge(part, edge); }
     double arc_length(const geometry::ChainPoint& p) const { return edge_arc_length(part.part.edges[at(p.edge)], p.t); }
     Vec2 displacement_at(const geometry::ChainPoint& p) const {
         const auto u = solver::displacement_at(grid.input, displacement, element_of(grid, p), grid.frame.to_local(p.x));
@@ -166,16 +166,9 @@ int edge_named(const ScenePart& part, const std::string& qualified) {
 /// Of a pair that is not solved, as both its parts are rigid.
 void name_faces(const Scene& scene, const Candidate& candidate, ContactResult& result) {
     const CandidateFaces faces = faces_of(scene, candidate);
-    const std::array<int, 2> part{candidate.first, candidate.second};
-    for (std::size_t side : {0U, 1U}) {
-        const ScenePart& own = scene.parts[at(part[side])];
-        const auto name = [&](int edge) { return own.name + "/" + own.part.edges[at(edge)].name; };
-        result.between[side] = name(faces.carrying[side]);
-        for (const auto& [edges, length] : faces.lengths)
-            if (std::vector<std::string>& all = result.edges[side];
-                std::find(all.begin(), all.end(), name(edges[side])) == all.end())
-                all.push_back(name(edges[side]));
-    }
+    result.edges = edge_names(scene, candidate, faces);
+    result.between = {name_of_edge(scene.parts[at(candidate.first)], faces.carrying[0]),
+                      name_of_edge(scene.parts[at(candidate.second)], faces.carrying[1])};
     result.interface = faces.kind;
 }
 

@@ -77,6 +77,26 @@ FunctionalInterface bonded_interface(const geometry::FacingEdges& stretch) {
 
 }  // namespace
 
+std::string name_of_edge(const ScenePart& part, int edge) {
+    return part.name + "/" + part.part.edges[static_cast<std::size_t>(edge)].name;
+}
+
+std::array<std::vector<std::string>, 2> edge_names(const Scene& scene, const Candidate& c, const CandidateFaces& faces) {
+    constexpr double least_share = 1e-3;  // of the facing length: less is rounding next to the ends of others
+    const std::array<int, 2> part{c.first, c.second};
+    std::array<std::vector<std::string>, 2> names;
+    double whole = 0;
+    for (const auto& [edges, length] : faces.lengths) whole += length;
+    for (std::size_t side = 0; side < 2; ++side) {
+        std::map<int, double> lengths;
+        for (const auto& [edges, length] : faces.lengths) lengths[edges[side]] += length;
+        for (const auto& [edge, length] : lengths)
+            if (edge == faces.carrying[side] || length > least_share * whole)
+                names[side].push_back(name_of_edge(scene_part(scene, part[side]), edge));
+    }
+    return names;
+}
+
 std::optional<std::string> corner_kind(const Scene& scene, const Candidate& candidate) {
     const std::optional<ClosestPoints> corner = corner_of(scene, candidate);
     return corner ? std::optional(kind_at(scene, candidate, *corner)) : std::nullopt;

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/interfaces/functional_interface.hpp"
 #include "src/contact/candidates.hpp"
@@ -22,6 +23,11 @@ struct CandidateFaces {
     FunctionalInterface functional{};              ///< about the origin of assembly coordinates
 };
 CandidateFaces faces_of(const Scene& scene, const Candidate& candidate);
+
+/// An edge as users know it: "part/edge".
+std::string name_of_edge(const ScenePart& part, int edge);
+/// The edges of both parts that have a share in a candidate's faces, by name; those next to rounding are not named.
+std::array<std::vector<std::string>, 2> edge_names(const Scene& scene, const Candidate& candidate, const CandidateFaces& faces);
 
 /// The kind of contact at the corner that meets a face, where a candidate's faces come closest at an end at which they are not
 /// parallel; else nothing.

@@ -21,12 +21,6 @@ using geometry::FacingZone;
 using geometry::Part;
 
 constexpr double near_miss_fraction = 0.10;  // of the smaller part's extent
-/// Edges with a smaller share of the facing length are not named: rounding next to the ends of others.
-constexpr double least_share = 1e-3;
-
-std::string edge_name(const ScenePart& part, int edge) {
-    return part.name + "/" + part.part.edges[static_cast<std::size_t>(edge)].name;
-}
 
 /// What all rows of two parts have in common.
 DetectedPair row_of(const Scene& scene, const Encounter& m, const std::array<int, 2>& carrying) {
@@ -34,21 +28,9 @@ DetectedPair row_of(const Scene& scene, const Encounter& m, const std::array<int
     row.part = {m.first, m.second};
     for (std::size_t side = 0; side < 2; ++side) {
         row.parts[side] = scene_part(scene, row.part[side]).name;
-        row.between[side] = edge_name(scene_part(scene, row.part[side]), carrying[side]);
+        row.between[side] = name_of_edge(scene_part(scene, row.part[side]), carrying[side]);
     }
     return row;
-}
-
-void name_edges(const Scene& scene, const CandidateFaces& faces, DetectedPair& row) {
-    double whole = 0;
-    for (const auto& [edges, length] : faces.lengths) whole += length;
-    for (std::size_t side = 0; side < 2; ++side) {
-        std::map<int, double> lengths;
-        for (const auto& [edges, length] : faces.lengths) lengths[edges[side]] += length;
-        for (const auto& [edge, length] : lengths)
-            if (edge == faces.carrying[side] || length > least_share * whole)
-                row.edges[side].push_back(edge_name(scene_part(scene, row.part[side]), edge));
-    }
 }
 
 /// Some of the zone's pairs, from end to end.
@@ -96,7 +78,7 @@ DetectedPair row_of(const Listing& l, const Candidate& c, const Candidate* deepe
     const Encounter& m = l.encounter;
     const CandidateFaces faces = faces_of(l.scene, c);
     DetectedPair row = row_of(l.scene, m, faces.carrying);
-    name_edges(l.scene, faces, row);
+    row.edges = edge_names(l.scene, c, faces);
     const double drawn = drawn_gap(l.scene, m, c, l.touching);
     row.gap_min = drawn - c.interference;
     row.gap_max = c.zone.gap_max - c.interference;

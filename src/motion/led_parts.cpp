@@ -49,12 +49,23 @@ Eigen::Vector3d LedParts::gone(std::size_t part, const Placement& placement) con
     return leads_[part].of(placement.of(centers_[part]) - centers_[part], placement.angle);
 }
 
-double LedParts::steps_to(std::size_t part, const Lead& lead) const {
+double LedParts::way_of(std::size_t part, const Lead& lead) const {
     Eigen::Vector3d way = lead.to;
     way[2] *= 0.5 * sizes_[part];
     for (int c = 0; c < 3; ++c)
         if (!lead.is_given[at(c)]) way[c] = 0;
-    return way.norm() / (within * step_fraction * sizes_[part]);
+    return way.norm();
+}
+
+double LedParts::steps_to(std::size_t part, const Lead& lead) const {
+    return way_of(part, lead) / (within * step_fraction * sizes_[part]);
+}
+
+double LedParts::farthest_left(const std::vector<Placement>& placements) const {
+    const std::vector<Lead> leads = left(placements);
+    double farthest = 0;
+    for (std::size_t i = 0; i < leads.size(); ++i) farthest = std::max(farthest, way_of(i, leads[i]));
+    return farthest;
 }
 
 std::vector<Lead> LedParts::left(const std::vector<Placement>& placements) const {

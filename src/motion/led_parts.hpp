@@ -26,6 +26,8 @@ public:
     /// A share of the same, no farther than `reach` of the longest step: parts go side by side, and are there together.
     std::vector<Lead> of_step(const std::vector<Placement>& placements, double share, double reach) const;
     bool are_there(const std::vector<Placement>& placements) const;
+    /// How far any part still has to go, turns measured at its half size.
+    double farthest_left(const std::vector<Placement>& placements) const;
     /// Meets prescribed motions exactly; bonded parts go where one of them is led.
     void end(std::vector<Placement>& placements) const;
 
@@ -42,6 +44,7 @@ public:
 
 private:
     Eigen::Vector3d gone(std::size_t part, const Placement& placement) const;
+    double way_of(std::size_t part, const Lead& lead) const;
     double steps_to(std::size_t part, const Lead& lead) const;
 
     std::vector<Lead> leads_;

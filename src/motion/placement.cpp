@@ -127,8 +127,6 @@ std::string why_not_followed(const Scene& scene, const ResolvedConditions& condi
     if (!scene.follows_motion) return "\"motion\" is \"off\"";
     if (scene.analysis == Analysis::axisymmetric) return "parts around an axis stay where they are drawn";
     if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
-    if (scene.in_steps && has_friction(scene.contacts))
-        return "steps with friction stay where the first of them takes the parts";
     if (std::any_of(scene.loads.begin(), scene.loads.end(), varies_by_place))
         return "a load is given by expressions of the place";
     if (const std::string why = leads_of(scene, conditions).why_not; !why.empty()) return why;
@@ -161,6 +159,11 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
     }
     for (std::size_t k = 0; k < scene.loads.size(); ++k) move_load(drawn, conditions.loads[k], placements, scene.loads[k]);
     return scene;
+}
+
+Rest rest_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements, bool is_held) {
+    Scene there = placed(drawn, conditions, placements);
+    return {std::move(there), std::move(placements), is_held};
 }
 
 std::string placement_text(const std::string& part, const Placement& placement, const Vec2& center, double size) {

@@ -158,11 +158,8 @@ private:
 
     /// The steps that the smallest part takes, carried as far as any is led.
     int steps_led() const {
-        const std::vector<Lead> leads = led_.left(placements_);
-        double way = 0;
-        for (std::size_t i = 0; i < leads.size(); ++i)
-            way = std::max({way, leads[i].to.head<2>().norm(), 0.5 * sizes_[i] * std::abs(leads[i].to[2])});
-        const double steps = way / (step_fraction * *std::min_element(sizes_.begin(), sizes_.end()));
+        const double smallest = *std::min_element(sizes_.begin(), sizes_.end()),
+                     steps = led_.farthest_left(placements_) / (step_fraction * smallest);
         return static_cast<int>(std::min<double>(10 * max_steps, steps));
     }
 
