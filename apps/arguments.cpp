@@ -178,6 +178,16 @@ std::optional<double> positive_number(const Arguments& arguments, const std::str
     return number;
 }
 
+std::optional<int> whole_number(const Arguments& arguments, const std::string& name, int most) {
+    if (!has(arguments, name)) return std::nullopt;
+    const std::optional<double> number = to_number(arguments.options.at(name));
+    if (!number || *number != std::floor(*number) || *number < 1 || *number > most)
+        throw InputError(name,
+                         "'" + shortened(arguments.options.at(name)) + "' is no whole number from 1 to " + std::to_string(most),
+                         "leave it out for one on each processor");
+    return static_cast<int>(*number);
+}
+
 std::string command_help(const CommandSpec& spec) {
     std::size_t width = 0;
     const auto left = [](const OptionSpec& o) { return o.value.empty() ? o.name : o.name + " " + o.value; };

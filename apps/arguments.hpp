@@ -42,6 +42,8 @@ bool has(const Arguments& arguments, const std::string& name);
 std::string value_or(const Arguments& arguments, const std::string& name, const std::string& standard);
 /// The option's value as a number above zero, unset where it was not given. Throws InputError if it is anything else.
 std::optional<double> positive_number(const Arguments& arguments, const std::string& name);
+/// Likewise as a whole number from 1 to `most`.
+std::optional<int> whole_number(const Arguments& arguments, const std::string& name, int most);
 /// A whole text as a finite number with a decimal point, whatever the locale; unset if it is none.
 std::optional<double> to_number(const std::string& text);
 

@@ -15,7 +15,8 @@ namespace abut {
 
 namespace {
 
-constexpr double most_workers = 4096, longest_timeout = 1e8;
+constexpr int most_workers = 4096;
+constexpr double longest_timeout = 1e8;
 constexpr double least_memory =
     256e6;  // the linear algebra library alone may ask for 128 MiB at once, and asks until it gets them
 
@@ -49,11 +50,8 @@ double unit_of(char letter) {
 }  // namespace
 
 std::size_t workers_of(const Arguments& arguments) {
-    const std::optional<double> workers = positive_number(arguments, "-j");
-    if (!workers) return usual_workers();
-    if (*workers != std::floor(*workers) || *workers > most_workers)
-        throw InputError("-j", "is to be a whole number from 1 to 4096", "leave it out for one job on each processor");
-    return static_cast<std::size_t>(*workers);
+    const std::optional<int> workers = whole_number(arguments, "-j", most_workers);
+    return workers ? static_cast<std::size_t>(*workers) : usual_workers();
 }
 
 double memory_of(const Arguments& arguments) {

@@ -55,15 +55,14 @@ std::string contact_file(std::size_t k) {
     return "contact_" + contact_number(k) + ".csv";
 }
 
-void remove_contacts_from(std::size_t k, const std::string& folder) {
+void remove_contacts(const std::string& folder) {
     std::error_code ignored;  // a left-over that cannot be removed is no reason to fail
-    while (std::filesystem::remove(std::filesystem::path(folder) / contact_file(k), ignored)) ++k;
+    for (std::size_t k = 0; std::filesystem::remove(std::filesystem::path(folder) / contact_file(k), ignored);) ++k;
 }
 
 void write_contacts(const Result& result, const std::string& folder) {
     for (std::size_t k = 0; k < result.contacts.size(); ++k)
         write_file(folder, contact_file(k), contact_csv(result.contacts[k]));
-    remove_contacts_from(result.contacts.size(), folder);
 }
 
 void remove_file(const std::string& folder, const std::string& name) {
@@ -91,6 +90,13 @@ void write_pictures(const Result& result, const ModelFacts& model, const std::st
     }
 }
 
+/// Removes what an earlier run has written of a result, of which this one may write less.
+void remove_result(const std::string& folder) {
+    for (const char* file : {"result.json", "report.html", "fields.vtu"}) remove_file(folder, file);
+    remove_pictures(folder);
+    remove_contacts(folder);
+}
+
 /// Removes what an earlier run with load cases has written into the folder, which its cases.json lists.
 void remove_cases(const std::string& folder) {
     const std::string list = path_in(folder, "cases.json");
@@ -98,9 +104,7 @@ void remove_cases(const std::string& folder) {
     if (!std::filesystem::exists(list, ignored)) return;
     for (const std::string& own : folders_of_cases(read_whole_file(list))) {
         const std::string path = path_in(folder, own);
-        for (const char* file : {"result.json", "report.html", "fields.vtu"}) remove_file(path, file);
-        remove_pictures(path);
-        remove_contacts_from(0, path);
+        remove_result(path);
         std::filesystem::remove(path, ignored);  // if nothing else is there
     }
     for (const char* file : {"cases.json", "envelope.csv", "fields.pvd"}) remove_file(folder, file);
@@ -156,8 +160,7 @@ void write_files(Result& result, const ModelFacts& model, const std::string* dat
     const Stopwatch output;
     set_time(result, "output", 0);
     remove_cases(folder);
-    remove_pictures(folder);
-    remove_file(folder, "fields.vtu");
+    remove_result(folder);
     if (holds(formats, "csv")) write_contacts(result, folder);
     if (holds(formats, "vtu")) write_file(folder, "fields.vtu", fields_vtu(result));
     if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, model, folder, formats);
@@ -179,9 +182,7 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
                         const std::vector<std::string>& formats, const Stopwatch& since_start, int threads) {
     remove_cases(folder);
-    for (const char* file : {"result.json", "fields.vtu"}) remove_file(folder, file);
-    remove_pictures(folder);
-    remove_contacts_from(0, folder);
+    remove_result(folder);
     std::vector<std::pair<std::string, std::string>> series;
     std::vector<std::string> data(cases.size());
     solver::parallel_for(static_cast<int>(cases.size()), threads, [&](int i) {

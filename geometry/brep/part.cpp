@@ -5,6 +5,7 @@
 
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/curve_moments.hpp"
+#include "geometry/curves/gauss.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::geometry {
@@ -58,6 +59,22 @@ Vec2 centroid(const Part& part) {
     const Vec2 o = bounding_box(part).center();
     const Moments m = moments(part, o);
     return o + m.first / m.area;
+}
+
+Eigen::Matrix2d second_moments(const Part& part, const Vec2& c) {
+    constexpr int arc_pieces = 16, points = 8;  // exact to rounding for arcs
+    const GaussRule& rule = gauss_rule(points);
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    for (const Edge& edge : part.edges) {
+        const int pieces = std::holds_alternative<Segment>(edge.curve) ? 1 : arc_pieces;
+        for (int k = 0; k < pieces; ++k)
+            for (std::size_t q = 0; q < rule.points.size(); ++q) {
+                const double t = (k + rule.points[q]) / pieces;
+                const Vec2 arm = point(edge.curve, t) - c;  // of div(arm arm' arm) = 4 arm arm'
+                sum += rule.weights[q] / pieces / 4 * cross(arm, derivative(edge.curve, t)) * arm * arm.transpose();
+            }
+    }
+    return sum;
 }
 
 double perimeter(const Part& part) {

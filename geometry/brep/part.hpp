@@ -40,6 +40,8 @@ Box2 bounding_box(const Part& part);
 /// Area (length^2) and centroid of a part by Green's theorem (curve_moments.hpp), to rounding. Holes count negative.
 double area(const Part& part);
 Vec2 centroid(const Part& part);
+/// The integral of a a' over a part (length^4), where a goes from c to its points, likewise.
+Eigen::Matrix2d second_moments(const Part& part, const Vec2& c);
 /// The length of all edges, those of holes included.
 double perimeter(const Part& part);
 /// The number of holes: loops that run clockwise.

@@ -144,8 +144,8 @@ std::string why_ignored(const Record& entity, const Look& look, const LayerFilte
 }
 
 bool is_curve(const Record& entity) {
-    static const std::array others{"MLINE"sv,   "3DSOLID"sv, "REGION"sv,   "BODY"sv,
-                                   "SURFACE"sv, "HELIX"sv,   "MPOLYGON"sv, "ACAD_PROXY_ENTITY"sv};
+    static const std::array others{"MLINE"sv,    "3DSOLID"sv, "REGION"sv,           "BODY"sv, "SURFACE"sv, "HELIX"sv,
+                                   "MPOLYGON"sv, "3DFACE"sv,  "ACAD_PROXY_ENTITY"sv};
     return is_one_of(entity.type, read_types) || is_one_of(entity.type, others);
 }
 

@@ -87,9 +87,14 @@ void append_solved(SolvedAssembly& to, SolvedAssembly& from) {
     append(to.interface_of, from.interface_of);
     append(to.shear_of, from.shear_of);
     append(to.stretches, from.stretches);
+    for (PreloadState& cut : from.preloads) cut.grid += parts_before;
+    append(to.preloads, from.preloads);
     append_problem(to.problem, from.problem, parts_before);
     append_solution(to.solution, from.solution, parts_before);
-    if (to.failure.empty()) to.failure = from.failure;
+    if (to.failure.empty()) {
+        to.failure = from.failure;
+        to.is_lost = from.is_lost;
+    }
     to.refined_for_walls += from.refined_for_walls;
     to.limited_grids += from.limited_grids;
 }

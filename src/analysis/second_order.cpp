@@ -27,6 +27,7 @@
 #include "src/analysis/placed_pairs.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/analysis/second_order_loads.hpp"
+#include "src/analysis/slender_parts.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
@@ -49,8 +50,8 @@ constexpr double least_share = 0.05;
 constexpr double noted_wrench = 1e-4;
 /// Gaps that motions along normals leave out, of the largest motion, below which none is looked at further.
 constexpr double noted_gap = 1e-3;
-/// A column's share of its least buckling load, and a bending in thicknesses, below which none is looked at further.
-constexpr double noted_column = 0.02, noted_bending = 0.15;
+/// A bending in thicknesses below which none is looked at further.
+constexpr double noted_bending = 0.15;
 /// A column's share of that load from which on it is pushed aside: one, but for how roughly shapes are known.
 constexpr double doubtful_column = 0.5;
 /// Lengths over widths of parts that may be columns.
@@ -71,20 +72,7 @@ bool bends_far(const SolvedAssembly& solved, std::size_t i) {
 
 /// The second moments of a part's area about its centre; the first axis is across where it is long.
 Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes_of(const PartOnGrid& grid) {
-    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
-    for_all_cells(grid.input, [&](const solver::CellRule& rule) {
-        for (std::size_t k = 0; k < rule.points.size(); ++k) {
-            const Vec2 arm = rule.points[k] - grid.center;
-            moments += rule.weights[k] * arm * arm.transpose();
-        }
-    });
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(moments);
-}
-
-/// Length over width of a part, squared: of a bar as long and as large, or with such second moments of area, if that is more.
-double slenderness_squared(const PartOnGrid& grid) {
-    const Eigen::Vector2d moments = axes_of(grid).eigenvalues();
-    return std::max(moments[1] / moments[0], std::pow(grid.size * grid.size / grid.area, 2));
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(geometry::second_moments(grid.local, grid.center));
 }
 
 bool has_answer(const SolvedAssembly& solved) {
@@ -96,15 +84,29 @@ double bending_modulus(const solver::Elasticity& d) {
     return d.d11 - d.d12 * d.d12 / d.d11;
 }
 
-/// A slender part's share of the least buckling load, that of a bar as slender, clamped at one end: pi^2 E I / 4 L^2.
+/// A slender part's share of the least buckling load, that of a bar as slender, clamped at one end: pi^2 E I / 4 L^2. It is as
+/// slender as a bar as long and as large, or with such second moments of area, if that is more. What is held along its length
+/// does not bend.
 double column_share(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
-    const double squared = grid.is_rigid ? 0 : slenderness_squared(grid);
+    if (grid.is_rigid) return 0;
+    const auto axes = axes_of(grid);
+    const Eigen::Vector2d moments = axes.eigenvalues();
+    const double squared = std::max(moments[1] / moments[0], std::pow(grid.size * grid.size / grid.area, 2));
     if (squared < least_slenderness * least_slenderness) return 0;
+    const Vec2 along = std::sqrt(12 * moments[1] / grid.area) * axes.eigenvectors().col(1);  // of a rectangle
+    if (is_held_along(solved, i, grid.frame.vector_to_global(along))) return 0;
     const solver::PartInput& input = solved.problem.parts[i].input;
     const Eigen::Matrix2d stress = stress_integral(input, solved.solution.displacement[i]) / (grid.area * grid.input.thickness);
     constexpr double of_column = 48 / (std::numbers::pi * std::numbers::pi);
     return of_column * stress.norm() / bending_modulus(input.elasticity) * squared;
+}
+
+/// By part that is solved.
+std::vector<double> column_shares(const SolvedAssembly& solved) {
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) shares.push_back(column_share(solved, i));
+    return shares;
 }
 
 bool is_neutral(const SolvedAssembly& solved, std::size_t i) {
@@ -119,13 +121,15 @@ double largest_motion(const SolvedAssembly& solved, std::size_t contact) {
     return largest;
 }
 
-/// May forces that are balanced where parts have moved and bent to change the answer?
-bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved, const std::vector<double>& gaps) {
+/// May forces that are balanced where parts have moved and bent to change the answer? told: of displacements, which change by a
+/// column's share of its buckling load at most.
+bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved, const std::vector<double>& gaps,
+                            const std::vector<double>& columns, double told) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
         if (gaps[k] != 0 && std::abs(gaps[k]) > noted_gap * largest_motion(solved, k)) return true;
     const double noted = noted_wrench * largest_force(solved);
     for (std::size_t i = 0; i < solved.grids.size(); ++i)
-        if (bends_far(solved, i) || column_share(solved, i) > noted_column ||
+        if (bends_far(solved, i) || columns[i] > told ||
             (!is_neutral(solved, i) && std::abs(moment_as_part_turns(solved, i)) > noted * solved.grids[i].size))
             return true;
     const std::vector<ContactChange> changes = changes_as_contacts_move(scene, solved);
@@ -246,12 +250,12 @@ std::optional<double> growth_of_bending(const Scene& scene, const SolvedAssembly
 }
 
 /// noted: shares below are not told.
-void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, double noted, int threads,
-                        Result& result) {
+void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, const std::vector<double>& columns,
+                        double noted, int threads, Result& result) {
     std::vector<Finding> findings;
     for (std::size_t i = 0; i < out.solved.grids.size(); ++i) {
         Change change = change_of(out.solved, moved, i);
-        if (change.growing < 1 && column_share(out.solved, i) > doubtful_column)
+        if (change.growing < 1 && columns[i] > doubtful_column)
             if (const auto growth = growth_of_bending(scene, out.solved, i, threads); growth && *growth >= 1)
                 change = {*growth, *growth};
         if (change.share <= noted && change.growing < 1) continue;
@@ -321,7 +325,9 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
     if (std::any_of(solved.problem.parts.begin(), solved.problem.parts.end(), has_structure)) return;
     if (largest_force(solved) == 0) return;
     const std::vector<double> gaps = gaps_left_out(scene, solved);
-    if (!calls_for_second_order(scene, solved, gaps)) return;
+    const std::vector<double> columns = column_shares(solved);
+    const double noted = noted_change * out.target + strains_share * strain_of(solved);
+    if (!calls_for_second_order(scene, solved, gaps, columns, noted)) return;
     const SolvedAssembly moved = solved_under(solved, second_order_loads(scene, solved), gaps, threads);
     if (!has_answer(moved)) {
         tell({{0, "",
@@ -331,9 +337,8 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
              "displacement", result);
         return;
     }
-    const double noted = noted_change * out.target + strains_share * strain_of(solved);
     const bool is_at_limit = any_at_limit(scene, solved);
-    if (!is_at_limit) tell_displacements(scene, out, moved, noted, threads, result);
+    if (!is_at_limit) tell_displacements(scene, out, moved, columns, noted, threads, result);
     const auto is_told = [](const Reason& r) { return r.kind == "turned_force"; };
     if (std::none_of(result.reasons.begin(), result.reasons.end(), is_told))
         tell_forces(scene, out, moved, noted, is_at_limit, result);

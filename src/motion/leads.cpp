@@ -7,6 +7,7 @@
 #include <set>
 
 #include "src/base/index.hpp"
+#include "src/motion/placement.hpp"
 #include "src/plan/support_components.hpp"
 #include "src/plan/support_wrenches.hpp"
 
@@ -64,15 +65,48 @@ bool goes_as_a_whole(const Hold& hold, const Vec2& way, const geometry::ScrewSca
            });
 }
 
-/// The first part that supports of edges do not lead as a whole.
-std::optional<int> part_not_led(const Scene& scene, const ResolvedConditions& conditions, const Leads& leads,
-                                const std::set<int>& by_edges) {
-    if (by_edges.empty()) return std::nullopt;
+/// Those parts that supports of edges do not lead as a whole.
+std::set<int> parts_not_led(const Scene& scene, const ResolvedConditions& conditions, const Leads& leads,
+                            const std::set<int>& by_edges) {
+    std::set<int> parts;
+    if (by_edges.empty()) return parts;
     const auto all = support_wrenches(scene, conditions), others = support_wrenches(without_leads(scene, leads), conditions);
     for (const int part : by_edges)
         if (!goes_as_a_whole({all[at(part)], others[at(part)]}, leads.of[at(part)].to.head<2>(), screw_scale(scene)))
-            return part;
-    return std::nullopt;
+            parts.insert(part);
+    return parts;
+}
+
+/// How far a support displaces the points of edges that it acts on, by some of them.
+double farthest(const Scene& scene, const Support& s, const std::vector<EdgePortion>& on) {
+    constexpr int looks = 8;
+    double far = 0;
+    for (const EdgePortion& portion : on)
+        for (int k = 0; k <= looks; ++k) {
+            const double t = portion.t0 + (portion.t1 - portion.t0) * k / looks;
+            const Vec2 x = point(curve_of(part_of(scene, portion.part), portion.edge), t);
+            far = std::max(far, Vec2(s.x ? s.value[0](x.x(), x.y()) : 0, s.y ? s.value[1](x.x(), x.y()) : 0).norm());
+        }
+    return far;
+}
+
+/// Parts that a little displacement of their edges deforms are held where they are drawn, and others go on. False: it is more
+/// than a little, or leads other parts as well.
+bool hold_deformed(const Scene& scene, const ResolvedConditions& conditions, const std::set<int>& deformed, Leads& leads) {
+    for (std::size_t k = 0; k < scene.supports.size(); ++k) {
+        if (!leads.is_leading[k]) continue;
+        const std::set<int> parts = parts_of(scene, scene.supports[k], conditions.supports[k]);
+        const auto is_deformed = [&](int part) { return deformed.count(part) > 0; };
+        if (std::none_of(parts.begin(), parts.end(), is_deformed)) continue;
+        const double far = farthest(scene, scene.supports[k], conditions.supports[k]);
+        const auto is_little = [&](int part) { return far <= placed_fraction * bounding_box(part_of(scene, part)).diagonal(); };
+        if (scene.supports[k].kind != Support::Kind::displacement || !std::all_of(parts.begin(), parts.end(), is_deformed) ||
+            !std::all_of(parts.begin(), parts.end(), is_little))
+            return false;
+        leads.is_leading[k] = false;
+    }
+    for (const int part : deformed) leads.of[at(part)] = {};
+    return true;
 }
 
 }  // namespace
@@ -98,9 +132,9 @@ Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
             if (!take_displacement(s, leads.of[at(part)])) deformed.insert(part);
         }
     }
-    const std::optional<int> part =
-        deformed.empty() ? part_not_led(scene, conditions, leads, by_edges) : std::optional(*deformed.begin());
-    if (part) leads.why_not = "what supports prescribe deforms " + scene.parts[at(*part)].name + ", or may turn it";
+    deformed.merge(parts_not_led(scene, conditions, leads, by_edges));
+    if (!deformed.empty() && !hold_deformed(scene, conditions, deformed, leads))
+        leads.why_not = "what supports prescribe deforms " + scene.parts[at(*deformed.begin())].name + ", or may turn it";
     for (Lead& lead : leads.of) {
         const Vec2 way = lead.to.head<2>();
         if (way == Vec2(0, 0)) {

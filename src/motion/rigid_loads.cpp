@@ -20,11 +20,15 @@ struct LoadSum {
     RigidLoad load;
     double forces = 0, moments = 0;  ///< magnitudes
 
-    void add(const Vec2& force, double moment) {
-        load.force += force;
+    void add_moment(double moment) {
         load.moment += moment;
-        forces += force.norm();
         moments += std::abs(moment);
+    }
+    void add(const Vec2& force, const Vec2& arm) {
+        load.force += force;
+        load.moment += geometry::cross(arm, force);
+        forces += force.norm();
+        moments += arm.norm() * force.norm();  // what runs through the centroid has no moment but rounding
     }
     RigidLoad resultant() const {
         return {load.force.norm() > balanced * forces ? load.force : Vec2(0, 0),
@@ -49,7 +53,7 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
                 const double area = h * rule.weights[q] * derivative(curve, t).norm() * scene_part(scene, p.part).thickness;
                 const Vec2 force = area * traction_at(load, spread, x, outward_normal(curve, t));
                 const Vec2 arm = x - centers[at(p.part)];
-                on[at(p.part)].add(force, geometry::cross(arm, force));
+                on[at(p.part)].add(force, arm);
                 if (keeps_direction) on[at(p.part)].load.stretch += arm.dot(force);
             }
     }
@@ -58,12 +62,12 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
 /// Forces per volume are constant over the part, or those of a spin, which act in the centroid, too.
 void add_volume_load(const Scene& scene, const Load& load, int part, const Vec2& center, LoadSum& on) {
     if (load.kind == Load::Kind::part_moment) {
-        on.add({0, 0}, load.value[0].constant());
+        on.add_moment(load.value[0].constant());
         return;
     }
     const ScenePart& own = scene_part(scene, part);
     const double volume = area(own.part);
-    on.add(volume * own.thickness * volume_force(scene, load, part, part_measure(own.part, load, volume), center), 0);
+    on.add(volume * own.thickness * volume_force(scene, load, part, part_measure(own.part, load, volume), center), Vec2(0, 0));
 }
 
 }  // namespace

@@ -3,34 +3,14 @@
 
 #include <algorithm>
 
-#include "geometry/curves/gauss.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
 
-namespace {
-
-/// Integral of the squared distance from c over a part, by Green's theorem: of div F = |x - c|^2, F = |x - c|^2 (x - c) / 4.
-double polar_moment(const geometry::Part& part, const Vec2& c) {
-    constexpr int pieces = 16, points = 8;  // exact to rounding for arcs
-    const geometry::GaussRule& rule = geometry::gauss_rule(points);
-    double sum = 0;
-    for (const geometry::Edge& edge : part.edges)
-        for (int k = 0; k < pieces; ++k)
-            for (std::size_t q = 0; q < rule.points.size(); ++q) {
-                const double t = (k + rule.points[q]) / pieces;
-                const Vec2 arm = point(edge.curve, t) - c, d = derivative(edge.curve, t);
-                sum += rule.weights[q] / pieces * arm.squaredNorm() / 4 * (arm.x() * d.y() - arm.y() * d.x());
-            }
-    return sum;
-}
-
-}  // namespace
-
 PartMeasure part_measure(const geometry::Part& part, const Load& load, double volume) {
     if (load.kind != Load::Kind::part_moment) return {volume};
     const Vec2 c = centroid(part);
-    return {volume, c, polar_moment(part, c)};
+    return {volume, c, second_moments(part, c).trace()};
 }
 
 Vec2 volume_force(const Scene& scene, const Load& load, int part, const PartMeasure& measure, const Vec2& x) {

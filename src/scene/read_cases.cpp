@@ -24,9 +24,9 @@ std::vector<std::string> names_of_cases(const Scene& scene) {
     return names;
 }
 
-bool spins(const Scene& scene, const std::string& name) {
+bool names_any(const Scene& scene, const std::string& name, Load::Kind kind) {
     return std::any_of(scene.loads.begin(), scene.loads.end(),
-                       [&](const Load& load) { return load.name == name && load.kind == Load::Kind::spin; });
+                       [&](const Load& load) { return load.name == name && load.kind == kind; });
 }
 
 void read_factor(SceneReading& reading, const JsonValue& value, const Scene& scene, LoadCase& c) {
@@ -36,7 +36,10 @@ void read_factor(SceneReading& reading, const JsonValue& value, const Scene& sce
                               known.empty() ? "give loads a \"name\"" : nearest_name_hint(value.key, known));
     const std::optional<double> factor = read_number(reading, value, dimension::none);
     if (!factor) return;
-    if (*factor < 0 && spins(scene, value.key))
+    if (*factor < 0 && names_any(scene, value.key, Load::Kind::preload))
+        return report_problem(reading, value, "a preload pulls two sides of a cut together: its factor is negative",
+                              "give a factor above 0, or leave the load out");
+    if (*factor < 0 && names_any(scene, value.key, Load::Kind::spin))
         return report_problem(reading, value, "a spin cannot pull inwards: its factor is negative",
                               "the factor is of the load, which grows with the square of the speed");
     c.factors[value.key] = *factor;

@@ -94,7 +94,7 @@ public:
             const VectorXd missing = (wanted.array() > 0).select(wanted - force, 0);
             if (missing.cwiseAbs().maxCoeff() <= force_rounding * wanted.maxCoeff()) return shortening;
             if (count == most_solutions) {
-                solved_.failure = "the parts could not be tightened to their preloads: forces do not settle";
+                solved_.failure = not_settled(missing);
                 break;
             }
             VectorXd step = close_gaps(shortening, force, wanted);
@@ -120,6 +120,18 @@ private:
     solver::PartSystem& part(Index k) { return solved_.problem.parts[at(cut(k).grid)]; }
     solver::Pull& pull(Index k) { return part(k).pulls[at(cut(k).pull)]; }
     const std::string& name(Index k) { return scene_.parts[at(solved_.grids[at(cut(k).grid)].part)].name; }
+
+    std::string not_settled(const VectorXd& missing) {
+        Index worst = 0;
+        missing.cwiseAbs().maxCoeff(&worst);
+        const PreloadState& c = cut(worst);
+        const auto is_other = [&](const PreloadState& other) { return other.grid == c.grid && other.where != c.where; };
+        const bool is_cut_again = std::any_of(solved_.preloads.begin(), solved_.preloads.end(), is_other);
+        return "part " + name(worst) + " cannot be tightened to " + number_text(c.force, 4) + " (" + c.where +
+               "): the force across its cut ends at " + number_text(c.force - missing[worst], 4) +
+               (is_cut_again ? "; cuts one behind the other through a shank bear one force: give one of them"
+                             : "; see what else bears the force between its ends");
+    }
 
     /// Longer steps where a cut carries nothing yet; none anywhere: all that are wanted carry something.
     VectorXd close_gaps(const VectorXd& shortening, const VectorXd& force, const VectorXd& wanted) {

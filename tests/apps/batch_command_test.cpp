@@ -181,7 +181,7 @@ TEST_F(BatchCommand, TakesTheNumberOfWorkersAsMakeDoes) {
     write_sketches(1);
     EXPECT_EQ(abut({"batch", "in", "-j2", "-o", "o", "--quiet"}).status, 0);
     EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j2", "-j", "1", "-o", "o"}).errors, {"-j is given twice"}));
-    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j0", "-o", "o"}).errors, {"-j", "'0' is not a number above zero"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j0", "-o", "o"}).errors, {"-j", "'0' is no whole number from 1 to 4096"}));
     EXPECT_TRUE(any_line_has(abut({"batch", "in", "-jobs", "-o", "o"}).errors, {"unknown option -jobs"}));
     EXPECT_TRUE(any_line_has(abut({"batch", "in", "-k2", "-o", "o"}).errors, {"unknown option -k"}));
 }

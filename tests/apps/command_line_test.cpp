@@ -180,6 +180,19 @@ TEST_F(CommandLine, RemovesContactFilesOfAnEarlierRun) {
     EXPECT_TRUE(fs::exists(folder_ / "out/contact_notes.csv"));
 }
 
+/// Whatever is written of the next result, that of the one before does not stay beside it.
+TEST_F(CommandLine, RemovesTheResultOfAnEarlierRun) {
+    write("scene.json", SceneText{}.text());
+    EXPECT_EQ(abut({"analyze", "scene.json"}).status, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "out/result.json"));
+    std::string only_tables = SceneText{}.text();
+    only_tables.insert(only_tables.rfind('}'), R"(, "output": {"formats": ["csv"]})");
+    write("scene.json", only_tables);
+    EXPECT_EQ(abut({"analyze", "scene.json"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out/result.json"));
+    EXPECT_FALSE(fs::exists(folder_ / "out/report.html"));
+}
+
 const std::string sketch = std::string(ABUT_SOURCE_DIR) + "/data/sketches/pin_bracket_r14.dxf";
 
 TEST_F(CommandLine, ContactsListsTheContactsOfADrawingAndWritesThem) {

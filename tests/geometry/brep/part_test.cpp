@@ -167,6 +167,21 @@ TEST(Part, PropertiesAfterAMove) {
     }
 }
 
+TEST(Part, SecondMomentsAreThoseOfRectanglesAndRings) {
+    const auto expect = [](const Part& part, const Vec2& about, double xx, double yy, double xy) {
+        const Eigen::Matrix2d m = second_moments(part, about);
+        EXPECT_NEAR(m(0, 0), xx, 1e-13 * (xx + yy));
+        EXPECT_NEAR(m(1, 1), yy, 1e-13 * (xx + yy));
+        EXPECT_NEAR(m(0, 1), xy, 1e-13 * (xx + yy));
+    };
+    const Part plate = one_loop(closed({{1, 2}, {5, 2}, {5, 3}, {1, 3}}));
+    expect(plate, {3, 2.5}, 64.0 / 12, 4.0 / 12, 0);
+    expect(plate, {0, 0}, 64.0 / 12 + 4 * 9, 4.0 / 12 + 4 * 6.25, 4 * 3 * 2.5);
+    Part ring = one_loop({Arc{{1, 2}, 2, 0, 2 * pi}});
+    add_loop(ring, {Arc{{1, 2}, 1, 0, -2 * pi}});
+    expect(ring, {1, 2}, pi / 4 * (16 - 1), pi / 4 * (16 - 1), 0);
+}
+
 TEST(Part, NothingHasNoArea) {
     EXPECT_EQ(area(Part{}), 0);
     EXPECT_TRUE(bounding_box(Part{}).empty());

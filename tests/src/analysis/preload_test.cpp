@@ -121,6 +121,37 @@ TEST(Preload, WhatNothingPressesBackOnCannotBeTightened) {
     EXPECT_NE(message_of(text).find("nothing presses back"), std::string::npos) << message_of(text);
 }
 
+TEST(Preload, CutsOneBehindTheOtherAreNamed) {
+    const std::string text = R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}},
+      "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}}}],
+      "supports": [{"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "fix": ["x"]}], "loads": [)" +
+                             preload("bar", "[[3, -1], [3, 2]]", 3) + ", " + preload("bar", "[[6, -1], [6, 2]]", 2) + "]}";
+    EXPECT_NE(message_of(text).find("part bar cannot be tightened to"), std::string::npos) << message_of(text);
+    EXPECT_NE(message_of(text).find("one behind the other"), std::string::npos) << message_of(text);
+}
+
+/// Parts that do not touch are solved by themselves, and are tightened all the same.
+TEST(Preload, EveryTightenedPartIsInTheAnswer) {
+    const auto bar = [](const std::string& name, double y) {
+        return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": [0, )" + std::to_string(y) +
+               R"(], "max": [10, )" + std::to_string(y + 1) + "]}}}";
+    };
+    const auto cut = [](double y) { return "[[4, " + std::to_string(y - 1) + "], [4, " + std::to_string(y + 2) + "]]"; };
+    const Result r =
+        analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}}, "parts": [)" + bar("a", 0) + ", " +
+                                    bar("loaded", 20) + ", " + bar("b", 40) +
+                                    R"(], "supports": [{"on": ["a/left", "loaded/left", "b/left"], "fix": ["x", "y"]},
+                                                     {"on": ["a/right", "b/right"], "fix": ["x"]}],
+                                                   "loads": [)" +
+                                    preload("b", cut(40), 2) + ", " + preload("a", cut(0), 3) +
+                                    R"(, {"on": "loaded/right", "force": [1, 0]}]})",
+                                "s.json"),
+                {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.preloads.size(), 2u);
+    for (const PreloadResult& p : r.preloads) EXPECT_NEAR(p.force_under_load, p.part == "a" ? 3 : 2, 1e-8);
+}
+
 struct TwoBolts : testing::TestWithParam<std::tuple<double, double>> {};
 
 /// Bolts of half the width each, tightened one after the other's mind: forces are reached together, whatever gap is closed
@@ -162,6 +193,13 @@ TEST(Preload, TakesPartInLoadCases) {
     EXPECT_NEAR(force(0), F0, 1e-5);
     EXPECT_NEAR(force(1), F0 + 500 * kb / (kb + kp), 1e-4);
     EXPECT_NEAR(force(2), 500, 1e-5);
+}
+
+TEST(Preload, DoesNotPressInACase) {
+    std::string text = scene(R"({"name": "tight", "part": "a", "preload": {"across": [[-12, 50], [-4, 50]], "force": 500}})");
+    text.back() = ',';
+    text += R"("cases": [{"name": "loose", "loads": {"tight": -1}}]})";
+    EXPECT_NE(message_of(text).find("its factor is negative"), std::string::npos) << message_of(text);
 }
 
 /// One bolt after the other: the one that is not tightened yet carries what the other gives it, as if it had no preload.

@@ -441,6 +441,24 @@ TEST(Settle, IsNotAskedWhereWhatIsPrescribedDeforms) {
             << support;
 }
 
+/// By a little: that part is held where it is drawn, and others are followed.
+TEST(Settle, PartsAreFollowedBesideOnesThatAreDeformedALittle) {
+    const std::string two =
+                          hole_and_pin(6, {0, 0}) + ", " + part("far", R"({"rectangle": {"min": [100, 0], "max": [120, 20]}})"),
+                      held = R"({"on": ["plate/p/bottom", "far/bottom"], "fix": ["x", "y"]}, )";
+    const auto followed = [&](const std::string& moved) {
+        return settling_of(scene_of(two, held + moved, R"({"part": "pin", "force": [0, -1]})"));
+    };
+    for (const char* little : {R"({"on": "far/top", "displacement": {"y": -0.01}})",
+                               R"({"on": "far/top", "displacement": {"y": "-0.01*(x - 100)/20"}})"}) {
+        const Settling settling = followed(little);
+        ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+        EXPECT_NEAR(settling.placements.at(1).shift.y(), -4, 12 * of_size) << little;
+        EXPECT_TRUE(settling.placements.at(2).goes_nowhere());
+    }
+    EXPECT_EQ(followed(R"({"on": "far/top", "displacement": {"y": -5}})").end, Settling::End::not_asked);
+}
+
 /// A lever with a nose of its own, bonded to it, falls on a stop as one of one piece does.
 TEST(Settle, BondedPartsMoveAsOne) {
     const std::string arm = R"({"rectangle": {"min": [0, -4], "max": [100, 4]}}, {"circle": {"center": [0, 0], "radius": 10}})",
@@ -537,6 +555,21 @@ TEST(RigidLoads, AreForcesAndMomentsAboutTheMiddle) {
     EXPECT_NEAR((load.force - Vec2(-3 * 2 + 4, -10 * 2 * 8)).norm(), 0, 1e-11);
     EXPECT_NEAR(load.moment, 7 - 4 * 1, 1e-11);
     EXPECT_NEAR(load.stretch, 0, 1e-11);
+}
+
+/// Whatever acts through the middle has no moment, not that of its rounding.
+TEST(RigidLoads, PressuresInRoundBoresTurnNothing) {
+    const auto ring = [](const std::string& name, double inside, double outside) {
+        const auto circle = [](const std::string& own, double r) {
+            return R"({"circle": {"center": [0.1, 0.7], "radius": )" + std::to_string(r) + R"(}, "name": ")" + own + R"("})";
+        };
+        return part(name, R"({"difference": [)" + circle("o", outside) + ", " + circle("i", inside) + "]}");
+    };
+    const Scene scene = scene_of(ring("liner", 10, 20) + ", " + ring("housing", 20.01, 30),
+                                 R"({"part": "housing", "rigid": {"translation": [0, 0], "rotation": 0}})",
+                                 R"({"on": "liner/i/circle", "pressure": 3})");
+    EXPECT_EQ(rigid_loads(scene, resolve_conditions(scene)).at(0).moment, 0);
+    EXPECT_EQ(settling_of(scene).end, Settling::End::stays);
 }
 
 TEST(RigidLoads, TurnBackWhatTheyStretch) {
