@@ -195,8 +195,10 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     const MatrixXd of_pressed = motions(pressed, Eigen::all), weighted = size(pressed).asDiagonal() * of_pressed;
     const VectorXd amplitudes = least_squares(of_pressed.transpose() * weighted, imbalance);
     const VectorXd change = (size.array() != 0).select(-motions * amplitudes, 0.0);
-    if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
-    return forces + size.cwiseProduct(change);
+    const VectorXd by = size.cwiseProduct(change),
+                   most = (most_change * size).cwiseMax(neutral_work_fraction * size.maxCoeff());
+    if (!(by.cwiseAbs().array() <= most.array()).all()) return std::nullopt;
+    return forces + by;
 }
 
 namespace {

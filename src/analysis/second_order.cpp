@@ -57,13 +57,6 @@ constexpr double doubtful_column = 0.5;
 /// Lengths over widths of parts that may be columns.
 constexpr double least_slenderness = 5;
 
-double largest_force(const SolvedAssembly& solved) {
-    double largest = solved.problem.load_scale;
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        if (solved.interface_of[k] >= 0) largest = std::max(largest, pressing_force(solved, k));
-    return largest;
-}
-
 /// Does a part bend, or is it strained, by a share of its mean width that counts?
 bool bends_far(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];

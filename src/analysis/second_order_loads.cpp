@@ -10,6 +10,7 @@
 #include "src/analysis/moved_forces.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/base/index.hpp"
+#include "src/solution/contact_measures.hpp"
 #include "src/solution/contact_states.hpp"
 
 namespace abut {
@@ -41,6 +42,15 @@ VectorXd without_neutral_work(const SolvedAssembly& solved, std::size_t i, Vecto
         load -= motion * (motion.dot(load) / motion.squaredNorm());
     }
     return load;
+}
+
+/// A load less its force and moment, where these are nothing: a part that hangs by little else would look for what bears them.
+VectorXd without_trifles(const PartOnGrid& grid, double largest, VectorXd load) {
+    constexpr double nothing = 1e-6;
+    const solver::Resultant own = solver::resultant_of(grid.input.space, load);
+    const double moment = own.moment - cross(grid.center, own.force);
+    if (own.force.norm() > nothing * largest || std::abs(moment) > nothing * largest * grid.size) return load;
+    return load - even_load(grid, own.force, moment);
 }
 
 }  // namespace
@@ -82,6 +92,13 @@ double moment_as_part_turns(const SolvedAssembly& solved, std::size_t i) {
     return -rotation * virial_of(grid.input.space, solver::forces_on(part, u, solved.solution.load[i]), grid.center);
 }
 
+double largest_force(const SolvedAssembly& solved) {
+    double largest = solved.problem.load_scale;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        if (solved.interface_of[k] >= 0) largest = std::max(largest, pressing_force(solved, k));
+    return largest;
+}
+
 std::vector<VectorXd> second_order_loads(const Scene& scene, const SolvedAssembly& solved) {
     std::vector<VectorXd> loads;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) {
@@ -91,7 +108,9 @@ std::vector<VectorXd> second_order_loads(const Scene& scene, const SolvedAssembl
                             : solver::finite_motion_load(solved.problem.parts[i].input, solved.solution.displacement[i]));
     }
     for (const ContactChange& change : changes_as_contacts_move(scene, solved)) loads[change.part] += load_of(solved, change);
-    for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = without_neutral_work(solved, i, std::move(loads[i]));
+    const double largest = largest_force(solved);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        loads[i] = without_trifles(solved.grids[i], largest, without_neutral_work(solved, i, std::move(loads[i])));
     return loads;
 }
 
@@ -105,6 +124,8 @@ SolvedAssembly solved_under(const SolvedAssembly& solved, const std::vector<Vect
     for (std::size_t k = 0; k < gaps.size(); ++k)
         if (gaps[k] != 0)
             for (solver::InterfacePoint& p : moved.problem.interfaces[at(solved.interface_of[k])].points) p.gap += gaps[k];
+    expect_pressures_of(solved.solution, moved.problem.interfaces);
+    moved.problem.near = solved.solution.amplitudes;
     moved.solution = solver::solve_groups(moved.problem, threads);
     return moved;
 }
