@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -36,6 +37,7 @@ struct Instance {
     std::string path;        ///< names of the blocks around it and its own: "CLAMP/PIN"
     Look look;               ///< of the insert
     Placement placement;     ///< into the model space
+    double height = 0;       ///< of its plane above that
     double n_copies = 1;     ///< that the arrays around it make of it; whole, but larger than any int
     const Instance* around = nullptr;
     mutable int insertion = -1;  ///< among the drawing's, once something of it is drawn
@@ -45,6 +47,7 @@ struct Instance {
 struct NamedOutline {
     Outline outline;
     std::string name;
+    Heights heights;
 };
 
 class ModelSpace {
@@ -69,6 +72,7 @@ public:
         leave_doubtful_layers();
         left_out_.tell(drawing_.warnings);
         if (n_tilted_ > 0) drawing_.warnings.push_back(tilted_);
+        tell_heights();
     }
 
 private:
@@ -207,6 +211,26 @@ private:
                        number_text(most_tilt) + " degrees, and projected onto it";
     }
 
+    void note_heights(const Record& record, const NamedOutline& named, const Instance& in) {
+        const Heights own{named.heights.least + in.height, named.heights.largest + in.height};
+        const bool is_first = !highest_, is_highest = is_first || own.largest > heights_.largest;
+        if (is_highest)
+            highest_ = SketchProblem{"", in.placement(first_point(record)), named.name, record.line,
+                                     "draw what belongs together in one plane"};
+        heights_ = {is_first ? own.least : std::min(own.least, heights_.least), is_highest ? own.largest : heights_.largest};
+    }
+
+    /// Heights that differ by less than a small part of the drawing are those of careless clicks.
+    void tell_heights() {
+        constexpr double flat = 1e-3;
+        Box2 box;
+        for (const auto& entity : drawing_.entities) box.extend(bounding_box(entity.curve));
+        if (box.empty() || heights_.largest - heights_.least <= flat * box.diagonal()) return;
+        highest_->what = "curves are drawn at heights (z) from " + number_text(heights_.least) + " to " +
+                         number_text(heights_.largest) + ": all are read as in one plane, whatever lies above the other";
+        drawing_.warnings.push_back(*highest_);
+    }
+
     // ---- outlines ----
 
     bool add_outline(std::span<const Record> records, std::size_t i, const Look& look, const Instance& in) {
@@ -219,7 +243,7 @@ private:
     }
 
     NamedOutline read(std::span<const Record> records, std::size_t i) {
-        NamedOutline named{read_outline(records, i), names_.of(records[i])};
+        NamedOutline named{read_outline(records, i), names_.of(records[i]), heights_of(records, i)};
         if (is_seen_from_below(records[i]))
             for (Curve& curve : named.outline.curves) curve = placed(curve, seen_from_below());
         return named;
@@ -230,6 +254,7 @@ private:
             report(record, named.name, record.type + " cannot be read: " + named.outline.wrong, in);
             return false;
         }
+        note_heights(record, named, in);
         const std::vector<Curve>& curves = named.outline.curves;
         for (std::size_t k = 0; k < curves.size() && !is_too_large_; ++k) {
             check_size(record);
@@ -308,6 +333,7 @@ private:
                           in.path.empty() ? block.name : in.path + "/" + block.name,
                           look,
                           composed(in.placement, placement),
+                          in.height + record.number(30, 0) - block.head.number(30, 0),
                           n_copies,
                           &in};
         if (const std::string fault = placement_fault(instance.placement, largest_coordinate); !fault.empty())
@@ -364,6 +390,8 @@ private:
     LeftOut left_out_;
     SketchProblem tilted_;
     int n_tilted_ = 0;
+    Heights heights_;
+    std::optional<SketchProblem> highest_;  // where
     bool takes_paper_space_ = false;
     IgnoredList ignored_;
     Names names_;

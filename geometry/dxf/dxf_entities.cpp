@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/dxf/dxf_entities.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 
@@ -165,6 +167,27 @@ Outline read_outline(std::span<const Record> records, std::size_t i) {
     if (record.type == "LWPOLYLINE") return read_light_polyline(record);
     if (record.type == "POLYLINE") return read_heavy_polyline(records, i);
     return read_spline(record);
+}
+
+Heights heights_of(std::span<const Record> records, std::size_t i) {
+    std::vector<double> heights;
+    const auto take = [&](const Record& record, std::initializer_list<int> codes) {
+        for (const Group& group : record.groups)
+            if (double z = 0; std::find(codes.begin(), codes.end(), group.code) != codes.end() && parse_number(group.value, z))
+                heights.push_back(is_seen_from_below(record) ? -z : z);
+    };
+    const Record& record = records[i];
+    if (record.type == "LWPOLYLINE")
+        take(record, {38});
+    else if (record.type == "LINE" || record.type == "SPLINE")
+        take(record, {30, 31});
+    else if (record.type != "POLYLINE" || has_own_plane(record))
+        take(record, {30});
+    else
+        for (std::size_t k = i + 1; k < records.size() && records[k].type == "VERTEX"; ++k) take(records[k], {30});
+    if (heights.empty()) return {};
+    const auto [least, largest] = std::minmax_element(heights.begin(), heights.end());
+    return {*least, *largest};
 }
 
 bool has_own_plane(const Record& entity) {

@@ -21,6 +21,12 @@ struct Outline {
 /// coordinates that the record stands in. An entity shrunk to a point is a segment of no length. z is dropped.
 Outline read_outline(std::span<const Record> records, std::size_t i);
 
+/// The least and the largest z of what an outline is drawn through, likewise.
+struct Heights {
+    double least = 0, largest = 0;
+};
+Heights heights_of(std::span<const Record> records, std::size_t i);
+
 /// The piece of a polyline from one vertex to the next; bulge: tan(sweep / 4), positive counter-clockwise.
 Curve from_bulge(const Vec2& from, const Vec2& to, double bulge);
 

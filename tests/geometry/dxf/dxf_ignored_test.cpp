@@ -61,6 +61,31 @@ TEST(DxfIgnored, ListsEveryKindThatItDoesNotRead) {
     }
 }
 
+/// What lies above or rises is read as in one plane, and that is told; a little z is carelessness.
+TEST(DxfIgnored, TellsHeights) {
+    const auto heights = [](const std::string& more, const std::string& before = "") {
+        const Drawing drawing = read_drawing(dxf_file(dxf_line("1", "A", 0, 0, 100, 0) + more, before));
+        for (const SketchProblem& w : drawing.warnings)
+            if (const std::size_t from = w.what.find("heights (z)"); from != std::string::npos)
+                return w.what.substr(from, w.what.find(':') - from);
+        return std::string();
+    };
+    const auto line = [](double z0, double z1) {
+        return dxf_record("LINE", "2", "A", {{10, 0}, {20, 5}, {30, z0}, {11, 9}, {21, 5}, {31, z1}});
+    };
+    EXPECT_EQ(heights(""), "");
+    EXPECT_EQ(heights(line(0.01, -0.01)), "");
+    EXPECT_EQ(heights(line(0, 5)), "heights (z) from 0 to 5");
+    EXPECT_EQ(heights(line(-3, -3)), "heights (z) from -3 to 0");
+    EXPECT_EQ(heights(dxf_record("CIRCLE", "2", "A", {{10, 0}, {20, 0}, {30, 7}, {40, 1}})), "heights (z) from 0 to 7");
+    EXPECT_EQ(heights(dxf_record("CIRCLE", "2", "A", {{10, 0}, {20, 0}, {30, 7}, {40, 1}, {210, 0}, {220, 0}, {230, -1}})),
+              "heights (z) from -7 to 0");
+    EXPECT_EQ(heights(dxf_record("LWPOLYLINE", "2", "A", {{90, 2}, {70, 0}, {38, 4}, {10, 0}, {20, 5}, {10, 9}, {20, 5}})),
+              "heights (z) from 0 to 4");
+    const std::string block = dxf_section("BLOCKS", dxf_block("B", 0, 0, line(1, 2)));
+    EXPECT_EQ(heights(dxf_insert("3", "A", "B", 0, 50, {{30, 10}}), block), "heights (z) from 0 to 12");
+}
+
 TEST(DxfIgnored, KnowsConstructionLinesByLineTypeAndLayer) {
     for (const char* name :
          {"CENTER", "Center2", "CENTERX2", "ACAD_ISO04W100", "SLD-Center", "HIDDEN", "phantom", "DASHDOT", "DASHED2"}) {
