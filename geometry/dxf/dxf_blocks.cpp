@@ -72,6 +72,7 @@ public:
         leave_doubtful_layers();
         left_out_.tell(drawing_.warnings);
         if (n_tilted_ > 0) drawing_.warnings.push_back(tilted_);
+        if (n_wide_ > 0) drawing_.warnings.push_back(wide_);
         tell_heights();
     }
 
@@ -211,6 +212,20 @@ private:
                        number_text(most_tilt) + " degrees, and projected onto it";
     }
 
+    /// Lines that are drawn wide to be seen are lines; filled discs and bars are drawn so, too.
+    void note_width(const Record& record, const NamedOutline& named, const Instance& in) {
+        constexpr double filling = 0.05;  // of the outline's size
+        if (record.type != "LWPOLYLINE" && record.type != "POLYLINE") return;
+        const double width = std::max({record.number(43, 0), record.number(40, 0), record.number(41, 0)});
+        Box2 box;
+        for (const Curve& curve : named.outline.curves) box.extend(bounding_box(curve));
+        if (box.empty() || width <= filling * box.diagonal()) return;
+        if (n_wide_++ == 0)
+            wide_ = {"", in.placement(first_point(record)), named.name, record.line, "draw the outline of what is filled"};
+        wide_.what = (n_wide_ == 1 ? record.type + " is" : std::to_string(n_wide_) + " polylines are") +
+                     " drawn wide, as a filled area: the middle of the line is read as the outline";
+    }
+
     void note_heights(const Record& record, const NamedOutline& named, const Instance& in) {
         const Heights own{named.heights.least + in.height, named.heights.largest + in.height};
         const bool is_first = !highest_, is_highest = is_first || own.largest > heights_.largest;
@@ -255,6 +270,7 @@ private:
             return false;
         }
         note_heights(record, named, in);
+        note_width(record, named, in);
         const std::vector<Curve>& curves = named.outline.curves;
         for (std::size_t k = 0; k < curves.size() && !is_too_large_; ++k) {
             check_size(record);
@@ -390,6 +406,8 @@ private:
     LeftOut left_out_;
     SketchProblem tilted_;
     int n_tilted_ = 0;
+    SketchProblem wide_;
+    int n_wide_ = 0;
     Heights heights_;
     std::optional<SketchProblem> highest_;  // where
     bool takes_paper_space_ = false;

@@ -86,6 +86,20 @@ TEST(DxfIgnored, TellsHeights) {
     EXPECT_EQ(heights(dxf_insert("3", "A", "B", 0, 50, {{30, 10}}), block), "heights (z) from 0 to 12");
 }
 
+TEST(DxfIgnored, TellsFillingsDrawnAsWideLines) {
+    const auto told = [](double width) {
+        const Drawing drawing = read_drawing(dxf_file(dxf_record(
+            "LWPOLYLINE", "1", "A", {{90, 2}, {70, 1}, {43, width}, {10, 0}, {20, 0}, {42, 1}, {10, 4}, {20, 0}, {42, 1}})));
+        EXPECT_EQ(drawing.entities.size(), 2u);
+        return std::any_of(drawing.warnings.begin(), drawing.warnings.end(), [](const SketchProblem& w) {
+            return w.what == "LWPOLYLINE is drawn wide, as a filled area: the middle of the line is read as the outline";
+        });
+    };
+    EXPECT_TRUE(told(4));
+    EXPECT_FALSE(told(0.1));
+    EXPECT_FALSE(told(0));
+}
+
 TEST(DxfIgnored, KnowsConstructionLinesByLineTypeAndLayer) {
     for (const char* name :
          {"CENTER", "Center2", "CENTERX2", "ACAD_ISO04W100", "SLD-Center", "HIDDEN", "phantom", "DASHDOT", "DASHED2"}) {
