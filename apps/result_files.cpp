@@ -55,11 +55,6 @@ std::string contact_file(std::size_t k) {
     return "contact_" + contact_number(k) + ".csv";
 }
 
-void remove_contacts(const std::string& folder) {
-    std::error_code ignored;  // a left-over that cannot be removed is no reason to fail
-    for (std::size_t k = 0; std::filesystem::remove(std::filesystem::path(folder) / contact_file(k), ignored);) ++k;
-}
-
 void write_contacts(const Result& result, const std::string& folder) {
     for (std::size_t k = 0; k < result.contacts.size(); ++k)
         write_file(folder, contact_file(k), contact_csv(result.contacts[k]));
@@ -70,14 +65,24 @@ void remove_file(const std::string& folder, const std::string& name) {
     std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
 }
 
-/// Removes the pictures of an earlier run, whose contacts may have been others.
-void remove_pictures(const std::string& folder) {
+/// "contact_12" of a table or picture.
+bool is_of_contact(const std::string& stem) {
+    const std::string start = "contact_";
+    return stem.rfind(start, 0) == 0 && stem.size() > start.size() &&
+           stem.find_first_not_of("0123456789", start.size()) == std::string::npos;
+}
+
+/// Removes what an earlier run has written of a result, whose contacts may have been others.
+void remove_result(const std::string& folder) {
+    for (const char* file : {"result.json", "report.html", "fields.vtu"}) remove_file(folder, file);
     std::vector<std::string> names{"assembly", "stress", "displacement"};
-    std::error_code ignored;
+    std::error_code ignored;  // a left-over that cannot be removed is no reason to fail
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-        if (const std::string name = entry.path().stem().string(); name.rfind("contact_", 0) == 0) names.push_back(name);
-    for (const std::string& name : names)
+        if (const std::string name = entry.path().stem().string(); is_of_contact(name)) names.push_back(name);
+    for (const std::string& name : names) {
         for (const char* ending : {".svg", ".png"}) remove_file(folder, name + ending);
+        if (is_of_contact(name)) remove_file(folder, name + ".csv");
+    }
 }
 
 /// As files that any program shows: png goes by way of svg, which stays only where it is asked for.
@@ -88,13 +93,6 @@ void write_pictures(const Result& result, const ModelFacts& model, const std::st
         if (holds(formats, "png")) write_png(folder, picture.name, picture.name + ".svg");
         if (!holds(formats, "svg")) remove_file(folder, picture.name + ".svg");
     }
-}
-
-/// Removes what an earlier run has written of a result, of which this one may write less.
-void remove_result(const std::string& folder) {
-    for (const char* file : {"result.json", "report.html", "fields.vtu"}) remove_file(folder, file);
-    remove_pictures(folder);
-    remove_contacts(folder);
 }
 
 /// Removes what an earlier run with load cases has written into the folder, which its cases.json lists.

@@ -238,18 +238,22 @@ ContactQp with_friction_times(ContactQp qp, double factor) {
 double factor_that_stops(const ShiftedQp& shifted, const MatrixXd& stiffness, const ContactState& from, const ActiveSet& states,
                          const Sliding& first) {
     double slides_at = 1, held_at = 0, factor = first.factor;
+    bool held_before = false;
     for (int k = 0; k < factors_tried && factor <= largest_factor; ++k) {
         const ContactQp qp = with_friction_times(shifted.qp, factor);
         ContactQpResult tried;
         tried.active = states;
         ContactState state = from;
         const auto [rests, sliding] = creep({qp, shifted.gap}, stiffness, state, tried);
-        if (!rests && !sliding) break;
+        if (!rests && !sliding && held_at == 0) break;
         if (sliding && sliding->factor < 1 + factor_accuracy) return factor * sliding->factor;
-        (sliding ? slides_at : held_at) = factor;
+        (rests ? held_at : slides_at) = factor;  // what is not known does not hold
         if (held_at > 0 && held_at <= (1 + 1.01 * sliding_accuracy) * slides_at) break;
         factor = sliding ? factor * sliding->factor : factor / (1 + sliding_accuracy);
-        if (held_at > 0 && (factor <= slides_at || factor >= held_at)) factor = std::sqrt(slides_at * held_at);
+        // what lacks while bodies slide may be more than what lacks for their rest
+        if (held_at > 0 && (factor <= slides_at || factor >= held_at || (rests && held_before)))
+            factor = std::sqrt(slides_at * held_at);
+        held_before = rests;
     }
     return held_at;
 }

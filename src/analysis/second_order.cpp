@@ -27,7 +27,6 @@
 #include "src/analysis/placed_pairs.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/analysis/second_order_loads.hpp"
-#include "src/analysis/slender_parts.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
@@ -50,8 +49,8 @@ constexpr double least_share = 0.05;
 constexpr double noted_wrench = 1e-4;
 /// Gaps that motions along normals leave out, of the largest motion, below which none is looked at further.
 constexpr double noted_gap = 1e-3;
-/// A bending in thicknesses below which none is looked at further.
-constexpr double noted_bending = 0.15;
+/// A column's share of its least buckling load, and a bending in thicknesses, below which none is looked at further.
+constexpr double noted_column = 0.02, noted_bending = 0.15;
 /// A column's share of that load from which on it is pushed aside: one, but for how roughly shapes are known.
 constexpr double doubtful_column = 0.5;
 /// Lengths over widths of parts that may be columns.
@@ -78,17 +77,13 @@ double bending_modulus(const solver::Elasticity& d) {
 }
 
 /// A slender part's share of the least buckling load, that of a bar as slender, clamped at one end: pi^2 E I / 4 L^2. It is as
-/// slender as a bar as long and as large, or with such second moments of area, if that is more. What is held along its length
-/// does not bend.
+/// slender as a bar as long and as large, or with such second moments of area, if that is more.
 double column_share(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
     if (grid.is_rigid) return 0;
-    const auto axes = axes_of(grid);
-    const Eigen::Vector2d moments = axes.eigenvalues();
+    const Eigen::Vector2d moments = axes_of(grid).eigenvalues();
     const double squared = std::max(moments[1] / moments[0], std::pow(grid.size * grid.size / grid.area, 2));
     if (squared < least_slenderness * least_slenderness) return 0;
-    const Vec2 along = std::sqrt(12 * moments[1] / grid.area) * axes.eigenvectors().col(1);  // of a rectangle
-    if (is_held_along(solved, i, grid.frame.vector_to_global(along))) return 0;
     const solver::PartInput& input = solved.problem.parts[i].input;
     const Eigen::Matrix2d stress = stress_integral(input, solved.solution.displacement[i]) / (grid.area * grid.input.thickness);
     constexpr double of_column = 48 / (std::numbers::pi * std::numbers::pi);
@@ -114,15 +109,14 @@ double largest_motion(const SolvedAssembly& solved, std::size_t contact) {
     return largest;
 }
 
-/// May forces that are balanced where parts have moved and bent to change the answer? told: of displacements, which change by a
-/// column's share of its buckling load at most.
+/// May forces that are balanced where parts have moved and bent to change the answer?
 bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved, const std::vector<double>& gaps,
-                            const std::vector<double>& columns, double told) {
+                            const std::vector<double>& columns) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
         if (gaps[k] != 0 && std::abs(gaps[k]) > noted_gap * largest_motion(solved, k)) return true;
     const double noted = noted_wrench * largest_force(solved);
     for (std::size_t i = 0; i < solved.grids.size(); ++i)
-        if (bends_far(solved, i) || columns[i] > told ||
+        if (bends_far(solved, i) || columns[i] > noted_column ||
             (!is_neutral(solved, i) && std::abs(moment_as_part_turns(solved, i)) > noted * solved.grids[i].size))
             return true;
     const std::vector<ContactChange> changes = changes_as_contacts_move(scene, solved);
@@ -320,7 +314,7 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
     const std::vector<double> gaps = gaps_left_out(scene, solved);
     const std::vector<double> columns = column_shares(solved);
     const double noted = noted_change * out.target + strains_share * strain_of(solved);
-    if (!calls_for_second_order(scene, solved, gaps, columns, noted)) return;
+    if (!calls_for_second_order(scene, solved, gaps, columns)) return;
     const SolvedAssembly moved = solved_under(solved, second_order_loads(scene, solved), gaps, threads);
     if (!has_answer(moved)) {
         tell({{0, "",

@@ -44,13 +44,17 @@ VectorXd without_neutral_work(const SolvedAssembly& solved, std::size_t i, Vecto
     return load;
 }
 
-/// A load less its force and moment, where these are nothing: a part that hangs by little else would look for what bears them.
-VectorXd without_trifles(const PartOnGrid& grid, double largest, VectorXd load) {
+/// Do only forces act on a part that are nothing beside the largest one? It would look for what bears the little they change
+/// by.
+bool bears_nothing(const SolvedAssembly& solved, std::size_t part, double largest) {
     constexpr double nothing = 1e-6;
-    const solver::Resultant own = solver::resultant_of(grid.input.space, load);
-    const double moment = own.moment - cross(grid.center, own.force);
-    if (own.force.norm() > nothing * largest || std::abs(moment) > nothing * largest * grid.size) return load;
-    return load - even_load(grid, own.force, moment);
+    double own = solved.problem.part_load.empty() ? largest : solved.problem.part_load[part];
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const std::array<int, 2>& of = solved.contacts[k].face.part;
+        if (solved.interface_of[k] >= 0 && (at(of[0]) == part || at(of[1]) == part))
+            own = std::max(own, pressing_force(solved, k));
+    }
+    return own <= nothing * largest;
 }
 
 }  // namespace
@@ -110,7 +114,10 @@ std::vector<VectorXd> second_order_loads(const Scene& scene, const SolvedAssembl
     for (const ContactChange& change : changes_as_contacts_move(scene, solved)) loads[change.part] += load_of(solved, change);
     const double largest = largest_force(solved);
     for (std::size_t i = 0; i < loads.size(); ++i)
-        loads[i] = without_trifles(solved.grids[i], largest, without_neutral_work(solved, i, std::move(loads[i])));
+        if (bears_nothing(solved, i, largest))
+            loads[i].setZero();
+        else
+            loads[i] = without_neutral_work(solved, i, std::move(loads[i]));
     return loads;
 }
 

@@ -79,6 +79,22 @@ bool is_bonded_along(const SolvedAssembly& solved, std::size_t grid, double alon
     return bonded >= 0.5 * along;
 }
 
+/// Do supports hold a column against moving aside along half of its length?
+bool is_held_along(const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
+    const PartOnGrid& g = solved.grids[grid];
+    const Vec2 axis = g.frame.vector_to_local(along.normalized());
+    double held = 0;
+    for (const solver::SupportRecord& record : solved.problem.parts[grid].supports) {
+        const solver::SupportSet& set = record.set;
+        if (!set.side)
+            for (const solver::SupportPoint& p : set.points)
+                held += std::abs(axis.dot(p.direction)) <= across_column ? p.weight : 0;
+        else if (std::abs(axis[set.component]) <= across_column)
+            for (const solver::Stretch& stretch : set.stretches) held += stretch.to - stretch.from;
+    }
+    return held >= 0.5 * along.norm();
+}
+
 /// Is a part pressed between others from both of its long sides, along half of its length at least? So is a gasket.
 bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
     const Vec2 axis = along.normalized();
@@ -136,21 +152,6 @@ std::optional<Finding> ring_that_buckles(const Scene& scene, const Outcome& out,
 }
 
 }  // namespace
-
-bool is_held_along(const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
-    const PartOnGrid& g = solved.grids[grid];
-    const Vec2 axis = g.frame.vector_to_local(along.normalized());
-    double held = 0;
-    for (const solver::SupportRecord& record : solved.problem.parts[grid].supports) {
-        const solver::SupportSet& set = record.set;
-        if (!set.side)
-            for (const solver::SupportPoint& p : set.points)
-                held += std::abs(axis.dot(p.direction)) <= across_column ? p.weight : 0;
-        else if (std::abs(axis[set.component]) <= across_column)
-            for (const solver::Stretch& stretch : set.stretches) held += stretch.to - stretch.from;
-    }
-    return held >= 0.5 * along.norm();
-}
 
 void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
     if (out.largest.empty()) return;  // failed

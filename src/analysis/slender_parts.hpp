@@ -12,8 +12,4 @@ namespace abut {
 /// which a free ring buckles, and that nothing holds round.
 void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result);
 
-/// Tells whether supports hold a column of this direction and length, in assembly coordinates, against moving aside along half
-/// of it. grid: index into SolvedAssembly::grids.
-bool is_held_along(const SolvedAssembly& solved, std::size_t grid, const Vec2& along);
-
 }  // namespace abut

@@ -65,12 +65,11 @@ bool goes_as_a_whole(const Hold& hold, const Vec2& way, const geometry::ScrewSca
            });
 }
 
-/// Those parts that supports of edges do not lead as a whole.
+/// Those parts that supports of edges do not lead as a whole. all: the wrenches of supports, by part.
 std::set<int> parts_not_led(const Scene& scene, const ResolvedConditions& conditions, const Leads& leads,
-                            const std::set<int>& by_edges) {
+                            const std::set<int>& by_edges, const std::vector<std::vector<geometry::Screw>>& all) {
     std::set<int> parts;
-    if (by_edges.empty()) return parts;
-    const auto all = support_wrenches(scene, conditions), others = support_wrenches(without_leads(scene, leads), conditions);
+    const auto others = support_wrenches(without_leads(scene, leads), conditions);
     for (const int part : by_edges)
         if (!goes_as_a_whole({all[at(part)], others[at(part)]}, leads.of[at(part)].to.head<2>(), screw_scale(scene)))
             parts.insert(part);
@@ -90,9 +89,12 @@ double farthest(const Scene& scene, const Support& s, const std::vector<EdgePort
     return far;
 }
 
-/// Parts that a little displacement of their edges deforms are held where they are drawn, and others go on. False: it is more
-/// than a little, or leads other parts as well.
-bool hold_deformed(const Scene& scene, const ResolvedConditions& conditions, const std::set<int>& deformed, Leads& leads) {
+/// Parts that a little displacement of their edges deforms, and that supports hold, stay where they are drawn, and others go
+/// on. False: it is more than a little, leads other parts as well, or they may move besides. all: likewise.
+bool hold_deformed(const Scene& scene, const ResolvedConditions& conditions, const std::set<int>& deformed,
+                   const std::vector<std::vector<geometry::Screw>>& all, Leads& leads) {
+    const auto is_held = [&](int part) { return twist_space(all[at(part)], screw_scale(scene)).empty(); };
+    if (!std::all_of(deformed.begin(), deformed.end(), is_held)) return false;
     for (std::size_t k = 0; k < scene.supports.size(); ++k) {
         if (!leads.is_leading[k]) continue;
         const std::set<int> parts = parts_of(scene, scene.supports[k], conditions.supports[k]);
@@ -132,9 +134,12 @@ Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
             if (!take_displacement(s, leads.of[at(part)])) deformed.insert(part);
         }
     }
-    deformed.merge(parts_not_led(scene, conditions, leads, by_edges));
-    if (!deformed.empty() && !hold_deformed(scene, conditions, deformed, leads))
-        leads.why_not = "what supports prescribe deforms " + scene.parts[at(*deformed.begin())].name + ", or may turn it";
+    if (!by_edges.empty()) {
+        const auto all = support_wrenches(scene, conditions);
+        deformed.merge(parts_not_led(scene, conditions, leads, by_edges, all));
+        if (!deformed.empty() && !hold_deformed(scene, conditions, deformed, all, leads))
+            leads.why_not = "what supports prescribe deforms " + scene.parts[at(*deformed.begin())].name + ", or may turn it";
+    }
     for (Lead& lead : leads.of) {
         const Vec2 way = lead.to.head<2>();
         if (way == Vec2(0, 0)) {

@@ -209,7 +209,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     ENSURE(leads.size() == moving.of_part.size() && (by.turns.empty() || by.turns.size() == moving.of_part.size()),
            "what leads and turns is known of every part");
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
-    double smallest = moving.list.front().size, pull = 0;
+    double smallest = moving.list.empty() ? 1 : moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
     const auto is_dragged_along_loads = [&](const MovingPart& p) { return by.across_loads < 1 && load_of(p).norm() > 0; };
     Index n = static_cast<Index>(gaps.size()) + std::count(by.sticks.begin(), by.sticks.end(), 1) +

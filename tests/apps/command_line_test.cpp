@@ -173,9 +173,11 @@ TEST_F(CommandLine, PlanComputesAndWritesNothing) {
 TEST_F(CommandLine, RemovesContactFilesOfAnEarlierRun) {
     write("scene.json", SceneText{}.text());
     fs::create_directory(folder_ / "out");
-    for (const char* name : {"out/contact_1.csv", "out/contact_2.csv", "out/contact_notes.csv"}) write(name, "old");
+    for (const char* name : {"out/contact_1.csv", "out/contact_12.csv", "out/contact_notes.csv", "out/contact_notes.svg"})
+        write(name, "old");
     EXPECT_EQ(abut({"analyze", "scene.json"}).status, 0);
-    EXPECT_FALSE(fs::exists(folder_ / "out/contact_2.csv"));
+    EXPECT_FALSE(fs::exists(folder_ / "out/contact_12.csv"));
+    EXPECT_TRUE(fs::exists(folder_ / "out/contact_notes.svg"));
     EXPECT_FALSE(fs::exists(folder_ / "out/contact_1.csv"));
     EXPECT_TRUE(fs::exists(folder_ / "out/contact_notes.csv"));
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/curves/spline_shape.hpp"
+
 namespace part_test {
 
 namespace {
@@ -180,6 +182,10 @@ TEST(Part, SecondMomentsAreThoseOfRectanglesAndRings) {
     Part ring = one_loop({Arc{{1, 2}, 2, 0, 2 * pi}});
     add_loop(ring, {Arc{{1, 2}, 1, 0, -2 * pi}});
     expect(ring, {1, 2}, pi / 4 * (16 - 1), pi / 4 * (16 - 1), 0);
+    // a straight side may be drawn as a spline whose speed changes at a knot anywhere
+    std::vector<Curve> sides = closed({{0, 0}, {4, 0}, {4, 1}, {0, 1}});
+    sides[2] = nurbs_curves({2, {0, 0, 0, 0.03, 1, 1, 1}, {{4, 1}, {3.9, 1}, {0.5, 1}, {0, 1}}, {}}).at(0);
+    expect(one_loop(sides), {2, 0.5}, 64.0 / 12, 4.0 / 12, 0);
 }
 
 TEST(Part, NothingHasNoArea) {

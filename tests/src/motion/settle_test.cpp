@@ -457,6 +457,25 @@ TEST(Settle, PartsAreFollowedBesideOnesThatAreDeformedALittle) {
         EXPECT_TRUE(settling.placements.at(2).goes_nowhere());
     }
     EXPECT_EQ(followed(R"({"on": "far/top", "displacement": {"y": -5}})").end, Settling::End::not_asked);
+    // where it may move besides, what is prescribed would have to go along
+    EXPECT_EQ(settling_of(scene_of(two,
+                                   R"({"on": "plate/p/bottom", "fix": ["x", "y"]}, {"on": "far/bottom", "fix": ["y"]},
+                                      {"on": "far/top", "displacement": {"y": -0.01}})",
+                                   R"({"part": "pin", "force": [0, -1]})"))
+                  .end,
+              Settling::End::not_asked);
+}
+
+/// An upright edge that is held in height lets its part turn as drawn, and no more once it leans.
+TEST(Settle, WhatItsSupportsLockOnItsWayRestsThere) {
+    const Scene scene = scene_of(part("arm", R"({"rectangle": {"min": [0, 0], "max": [100, 10]}})") + ", " +
+                                     part("stop", R"({"rectangle": {"min": [60, -40], "max": [100, -8]}})"),
+                                 R"({"on": "arm/left", "fix": ["y"]}, {"part": "arm", "at": [0, 5], "fix": ["x"]},
+                                    {"on": "stop/bottom", "fix": ["x", "y"]})",
+                                 R"({"on": "arm/right", "force": [0, -10]})");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_LT(settling.placements.at(0).angle, 0);
 }
 
 /// A lever with a nose of its own, bonded to it, falls on a stop as one of one piece does.
