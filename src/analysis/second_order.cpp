@@ -56,6 +56,13 @@ constexpr double doubtful_column = 0.5;
 /// Lengths over widths of parts that may be columns.
 constexpr double least_slenderness = 5;
 
+double largest_force(const SolvedAssembly& solved) {
+    double largest = solved.problem.load_scale;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        if (solved.interface_of[k] >= 0) largest = std::max(largest, pressing_force(solved, k));
+    return largest;
+}
+
 /// Does a part bend, or is it strained, by a share of its mean width that counts?
 bool bends_far(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
@@ -67,6 +74,12 @@ Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes_of(const PartOnGrid& grid) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(geometry::second_moments(grid.local, grid.center));
 }
 
+/// Length over width of a part, squared: of a bar as long and as large, or with such second moments of area, if that is more.
+double slenderness_squared(const PartOnGrid& grid) {
+    const Eigen::Vector2d moments = axes_of(grid).eigenvalues();
+    return std::max(moments[1] / moments[0], std::pow(grid.size * grid.size / grid.area, 2));
+}
+
 bool has_answer(const SolvedAssembly& solved) {
     return solved.solution.mechanism.empty() && solved.solution.converged;
 }
@@ -76,13 +89,10 @@ double bending_modulus(const solver::Elasticity& d) {
     return d.d11 - d.d12 * d.d12 / d.d11;
 }
 
-/// A slender part's share of the least buckling load, that of a bar as slender, clamped at one end: pi^2 E I / 4 L^2. It is as
-/// slender as a bar as long and as large, or with such second moments of area, if that is more.
+/// A slender part's share of the least buckling load, that of a bar as slender, clamped at one end: pi^2 E I / 4 L^2.
 double column_share(const SolvedAssembly& solved, std::size_t i) {
     const PartOnGrid& grid = solved.grids[i];
-    if (grid.is_rigid) return 0;
-    const Eigen::Vector2d moments = axes_of(grid).eigenvalues();
-    const double squared = std::max(moments[1] / moments[0], std::pow(grid.size * grid.size / grid.area, 2));
+    const double squared = grid.is_rigid ? 0 : slenderness_squared(grid);
     if (squared < least_slenderness * least_slenderness) return 0;
     const solver::PartInput& input = solved.problem.parts[i].input;
     const Eigen::Matrix2d stress = stress_integral(input, solved.solution.displacement[i]) / (grid.area * grid.input.thickness);
@@ -313,7 +323,6 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
     if (largest_force(solved) == 0) return;
     const std::vector<double> gaps = gaps_left_out(scene, solved);
     const std::vector<double> columns = column_shares(solved);
-    const double noted = noted_change * out.target + strains_share * strain_of(solved);
     if (!calls_for_second_order(scene, solved, gaps, columns)) return;
     const SolvedAssembly moved = solved_under(solved, second_order_loads(scene, solved), gaps, threads);
     if (!has_answer(moved)) {
@@ -324,6 +333,7 @@ void warn_of_second_order(const Scene& scene, const Outcome& out, int threads, R
              "displacement", result);
         return;
     }
+    const double noted = noted_change * out.target + strains_share * strain_of(solved);
     const bool is_at_limit = any_at_limit(scene, solved);
     if (!is_at_limit) tell_displacements(scene, out, moved, columns, noted, threads, result);
     const auto is_told = [](const Reason& r) { return r.kind == "turned_force"; };

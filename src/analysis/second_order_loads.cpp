@@ -10,7 +10,6 @@
 #include "src/analysis/moved_forces.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/base/index.hpp"
-#include "src/solution/contact_measures.hpp"
 #include "src/solution/contact_states.hpp"
 
 namespace abut {
@@ -42,19 +41,6 @@ VectorXd without_neutral_work(const SolvedAssembly& solved, std::size_t i, Vecto
         load -= motion * (motion.dot(load) / motion.squaredNorm());
     }
     return load;
-}
-
-/// Do only forces act on a part that are nothing beside the largest one? It would look for what bears the little they change
-/// by.
-bool bears_nothing(const SolvedAssembly& solved, std::size_t part, double largest) {
-    constexpr double nothing = 1e-6;
-    double own = solved.problem.part_load.empty() ? largest : solved.problem.part_load[part];
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        const std::array<int, 2>& of = solved.contacts[k].face.part;
-        if (solved.interface_of[k] >= 0 && (at(of[0]) == part || at(of[1]) == part))
-            own = std::max(own, pressing_force(solved, k));
-    }
-    return own <= nothing * largest;
 }
 
 }  // namespace
@@ -96,13 +82,6 @@ double moment_as_part_turns(const SolvedAssembly& solved, std::size_t i) {
     return -rotation * virial_of(grid.input.space, solver::forces_on(part, u, solved.solution.load[i]), grid.center);
 }
 
-double largest_force(const SolvedAssembly& solved) {
-    double largest = solved.problem.load_scale;
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        if (solved.interface_of[k] >= 0) largest = std::max(largest, pressing_force(solved, k));
-    return largest;
-}
-
 std::vector<VectorXd> second_order_loads(const Scene& scene, const SolvedAssembly& solved) {
     std::vector<VectorXd> loads;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) {
@@ -112,12 +91,7 @@ std::vector<VectorXd> second_order_loads(const Scene& scene, const SolvedAssembl
                             : solver::finite_motion_load(solved.problem.parts[i].input, solved.solution.displacement[i]));
     }
     for (const ContactChange& change : changes_as_contacts_move(scene, solved)) loads[change.part] += load_of(solved, change);
-    const double largest = largest_force(solved);
-    for (std::size_t i = 0; i < loads.size(); ++i)
-        if (bears_nothing(solved, i, largest))
-            loads[i].setZero();
-        else
-            loads[i] = without_neutral_work(solved, i, std::move(loads[i]));
+    for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = without_neutral_work(solved, i, std::move(loads[i]));
     return loads;
 }
 

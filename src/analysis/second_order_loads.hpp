@@ -26,13 +26,9 @@ bool is_held_by_edges(const SolvedAssembly& solved, std::size_t part);
 /// The moment that loads which keep their directions, contacts' included, have more on a part that turns.
 double moment_as_part_turns(const SolvedAssembly& solved, std::size_t part);
 
-/// The largest load on any part, or force of a contact.
-double largest_force(const SolvedAssembly& solved);
-
 /// Finds what the balance of an answer leaves out, by part (2n): finite_motion_load, which is for contact forces that stay at
-/// the same points of both bodies and keep their lines, and what they do otherwise.
-/// Rigid motions that nothing resists have no share, nor have parts on which nothing acts beside the largest force. Not with a
-/// solution structure.
+/// the same points of both bodies and keep their lines, and what they do otherwise. Rigid motions that nothing resists have no
+/// share. Not with a solution structure.
 std::vector<Eigen::VectorXd> second_order_loads(const Scene& scene, const SolvedAssembly& solved);
 
 /// The assembly under further loads (2n, by part), with its contacts farther apart by some gaps (by contact, or none), by the
