@@ -105,8 +105,6 @@ SolvedAssembly solved_under(const SolvedAssembly& solved, const std::vector<Vect
     for (std::size_t k = 0; k < gaps.size(); ++k)
         if (gaps[k] != 0)
             for (solver::InterfacePoint& p : moved.problem.interfaces[at(solved.interface_of[k])].points) p.gap += gaps[k];
-    expect_pressures_of(solved.solution, moved.problem.interfaces);
-    moved.problem.near = solved.solution.amplitudes;
     moved.solution = solver::solve_groups(moved.problem, threads);
     return moved;
 }

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/verification/scene_answers.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "src/scene/read_scene.hpp"
 
 namespace abut::test {
 
 Result answer(const std::string& json) {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("abut_test_scene_" + std::to_string(::getpid()) + ".json");
-    std::ofstream(path) << json;
-    const Scene scene = read_scene(path.string());
-    std::filesystem::remove(path);
-    return analyze(scene, {});
+    return analyze(read_scene_text(json, "scene.json"), {});
 }
 
 std::vector<Result> answer_of_cases(const std::string& json) {
