@@ -65,24 +65,23 @@ void remove_file(const std::string& folder, const std::string& name) {
     std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
 }
 
-/// "contact_12" of a table or picture.
-bool is_of_contact(const std::string& stem) {
-    const std::string start = "contact_";
+/// contact_12.csv, a table, or .svg, .png, a picture.
+bool is_of_contact(const std::filesystem::path& file) {
+    const std::string stem = file.stem().string(), ending = file.extension().string(), start = "contact_";
     return stem.rfind(start, 0) == 0 && stem.size() > start.size() &&
-           stem.find_first_not_of("0123456789", start.size()) == std::string::npos;
+           stem.find_first_not_of("0123456789", start.size()) == std::string::npos &&
+           (ending == ".csv" || ending == ".svg" || ending == ".png");
 }
 
 /// Removes what an earlier run has written of a result, whose contacts may have been others.
 void remove_result(const std::string& folder) {
-    for (const char* file : {"result.json", "report.html", "fields.vtu"}) remove_file(folder, file);
-    std::vector<std::string> names{"assembly", "stress", "displacement"};
+    std::vector<std::string> files{"result.json", "report.html", "fields.vtu"};
+    for (const std::string picture : {"assembly", "stress", "displacement"})
+        for (const char* ending : {".svg", ".png"}) files.push_back(picture + ending);
     std::error_code ignored;  // a left-over that cannot be removed is no reason to fail
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-        if (const std::string name = entry.path().stem().string(); is_of_contact(name)) names.push_back(name);
-    for (const std::string& name : names) {
-        for (const char* ending : {".svg", ".png"}) remove_file(folder, name + ending);
-        if (is_of_contact(name)) remove_file(folder, name + ".csv");
-    }
+        if (is_of_contact(entry.path())) files.push_back(entry.path().filename().string());
+    for (const std::string& file : files) remove_file(folder, file);
 }
 
 /// As files that any program shows: png goes by way of svg, which stays only where it is asked for.

@@ -5,7 +5,7 @@
 
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/curve_moments.hpp"
-#include "geometry/curves/gauss.hpp"
+#include "geometry/curves/curve_rule.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::geometry {
@@ -62,23 +62,12 @@ Vec2 centroid(const Part& part) {
 }
 
 Eigen::Matrix2d second_moments(const Part& part, const Vec2& c) {
-    constexpr int curved_pieces = 16, points = 8;  // exact to rounding for arcs
-    const GaussRule& rule = gauss_rule(points);
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (const Edge& edge : part.edges) {
-        const int pieces = std::holds_alternative<Segment>(edge.curve) ? 1 : curved_pieces;
-        std::vector<double> ends = smoothness_breaks(edge.curve);
-        ends.push_back(1);
-        double from = 0;
-        for (const double to : ends) {
-            const double h = (to - from) / pieces;
-            for (int k = 0; k < pieces; ++k)
-                for (std::size_t q = 0; q < rule.points.size(); ++q) {
-                    const double t = from + h * (k + rule.points[q]);
-                    const Vec2 arm = point(edge.curve, t) - c;  // of div(arm arm' arm) = 4 arm arm'
-                    sum += h * rule.weights[q] / 4 * cross(arm, derivative(edge.curve, t)) * arm * arm.transpose();
-                }
-            from = to;
+        const CurveRule rule = curve_rule(edge.curve);
+        for (std::size_t q = 0; q < rule.t.size(); ++q) {
+            const Vec2 arm = point(edge.curve, rule.t[q]) - c;  // of div(arm arm' arm) = 4 arm arm'
+            sum += rule.weights[q] / 4 * cross(arm, derivative(edge.curve, rule.t[q])) * arm * arm.transpose();
         }
     }
     return sum;

@@ -238,6 +238,14 @@ std::vector<double> smoothness_breaks(const Curve& curve) {
     return spline ? curve_parameters(*spline, spline->shape->breaks) : std::vector<double>{};
 }
 
+std::vector<double> smooth_cuts(const Curve& curve, double t0, double t1) {
+    std::vector<double> cuts{t0};
+    for (const double t : smoothness_breaks(curve))
+        if (t > t0 && t < t1) cuts.push_back(t);
+    cuts.push_back(t1);
+    return cuts;
+}
+
 std::vector<double> crossings(const Curve& curve, int axis, double c) {
     std::vector<double> ends = stationary(curve, axis), found;
     ends.insert(ends.begin(), 0.0);

@@ -76,6 +76,8 @@ std::vector<double> axis_extrema(const Curve& curve);
 /// Parameters in (0, 1), ascending, where the curve is less than infinitely smooth (a spline's knots): Gauss rules and Taylor
 /// series must not run across them.
 std::vector<double> smoothness_breaks(const Curve& curve);
+/// t0 <= t1, with those in between.
+std::vector<double> smooth_cuts(const Curve& curve, double t0 = 0, double t1 = 1);
 /// Parameters in [0, 1], ascending, where coordinate `axis` (0: x, 1: y) equals c: all crossings and touching points. A curve
 /// that runs along the line has none.
 std::vector<double> crossings(const Curve& curve, int axis, double c);

@@ -59,10 +59,7 @@ bool lengths_agree(double halves, double whole, double total) {
 
 double general_length(const Curve& curve, double t0, double t1) {
     if (t0 > t1) return -general_length(curve, t1, t0);
-    std::vector<double> cuts{t0};
-    for (const double t : smoothness_breaks(curve))
-        if (t > t0 && t < t1) cuts.push_back(t);
-    cuts.push_back(t1);
+    const std::vector<double> cuts = smooth_cuts(curve, t0, t1);
     std::vector<double> rough;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) rough.push_back(length_by_gauss(curve, cuts[i], cuts[i + 1]));
     const double total = std::accumulate(rough.begin(), rough.end(), 0.0);

@@ -30,10 +30,7 @@ void append_pieces(const Curve& curve, double t0, double t1, double whole, doubl
 }  // namespace
 
 LengthTable length_table(const Curve& curve) {
-    std::vector<double> cuts{0};
-    for (const double t : smoothness_breaks(curve))
-        if (t > 0 && t < 1) cuts.push_back(t);
-    cuts.push_back(1);
+    const std::vector<double> cuts = smooth_cuts(curve);
     const double total = length(curve);
     LengthTable table{{0}, {0}};
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)

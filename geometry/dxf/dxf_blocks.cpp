@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <limits>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -71,8 +71,8 @@ public:
         if (drawing_.entities.empty()) take_hatches();
         leave_doubtful_layers();
         left_out_.tell(drawing_.warnings);
-        if (n_tilted_ > 0) drawing_.warnings.push_back(tilted_);
-        if (n_wide_ > 0) drawing_.warnings.push_back(wide_);
+        for (const Doubt& doubt : {tilted_, wide_})
+            if (doubt.n > 0) drawing_.warnings.push_back(doubt.first);
         tell_heights();
     }
 
@@ -203,13 +203,21 @@ private:
         drawing_.hatches.push_back(std::move(hatch));
     }
 
+    /// What is said once of all entities that it is true of.
+    struct Doubt {
+        SketchProblem first;
+        int n = 0;
+    };
+    static void count(const Record& record, const std::string& name, const Vec2& at, const std::string& what,
+                      const std::string& hint, Doubt& doubt) {
+        if (doubt.n++ == 0) doubt.first = {"", at, name, record.line, hint};
+        doubt.first.what = (doubt.n == 1 ? record.type + " is " : std::to_string(doubt.n) + " entities are ") + what;
+    }
+
     void note_tilt(const Record& record, const Instance& in) {
-        if (n_tilted_++ == 0)
-            tilted_ = {"", in.placement(first_point(record)), record.text(5).empty() ? "" : "h" + upper_case(record.text(5)),
-                       record.line, "set its plane to the drawing's in CAD"};
-        tilted_.what = (n_tilted_ == 1 ? record.type : std::to_string(n_tilted_) + " entities") +
-                       (n_tilted_ == 1 ? " is" : " are") + " tilted out of the drawing's plane by less than " +
-                       number_text(most_tilt) + " degrees, and projected onto it";
+        count(record, record.text(5).empty() ? "" : "h" + upper_case(record.text(5)), in.placement(first_point(record)),
+              "tilted out of the drawing's plane by less than " + number_text(most_tilt) + " degrees, and projected onto it",
+              "set its plane to the drawing's in CAD", tilted_);
     }
 
     /// Lines that are drawn wide to be seen are lines; filled discs and bars are drawn so, too.
@@ -217,33 +225,33 @@ private:
         constexpr double filling = 0.05;  // of the outline's size
         if (record.type != "LWPOLYLINE" && record.type != "POLYLINE") return;
         const double width = std::max({record.number(43, 0), record.number(40, 0), record.number(41, 0)});
+        if (width <= 0) return;
         Box2 box;
         for (const Curve& curve : named.outline.curves) box.extend(bounding_box(curve));
-        if (box.empty() || width <= filling * box.diagonal()) return;
-        if (n_wide_++ == 0)
-            wide_ = {"", in.placement(first_point(record)), named.name, record.line, "draw the outline of what is filled"};
-        wide_.what = (n_wide_ == 1 ? record.type + " is" : std::to_string(n_wide_) + " polylines are") +
-                     " drawn wide, as a filled area: the middle of the line is read as the outline";
+        if (!box.empty() && width > filling * box.diagonal())
+            count(record, named.name, in.placement(first_point(record)),
+                  "drawn wide, as a filled area: the middle of the line is read as the outline",
+                  "draw the outline of what is filled", wide_);
     }
 
     void note_heights(const Record& record, const NamedOutline& named, const Instance& in) {
         const Heights own{named.heights.least + in.height, named.heights.largest + in.height};
-        const bool is_first = !highest_, is_highest = is_first || own.largest > heights_.largest;
-        if (is_highest)
-            highest_ = SketchProblem{"", in.placement(first_point(record)), named.name, record.line,
-                                     "draw what belongs together in one plane"};
-        heights_ = {is_first ? own.least : std::min(own.least, heights_.least), is_highest ? own.largest : heights_.largest};
+        if (own.largest > heights_.largest)
+            highest_ = {"", in.placement(first_point(record)), named.name, record.line,
+                        "draw what belongs together in one plane"};
+        heights_ = {std::min(own.least, heights_.least), std::max(own.largest, heights_.largest)};
     }
 
     /// Heights that differ by less than a small part of the drawing are those of careless clicks.
     void tell_heights() {
         constexpr double flat = 1e-3;
+        if (!(heights_.largest > heights_.least)) return;
         Box2 box;
-        for (const auto& entity : drawing_.entities) box.extend(bounding_box(entity.curve));
+        for (const SketchEntity& entity : drawing_.entities) box.extend(bounding_box(entity.curve));
         if (box.empty() || heights_.largest - heights_.least <= flat * box.diagonal()) return;
-        highest_->what = "curves are drawn at heights (z) from " + number_text(heights_.least) + " to " +
-                         number_text(heights_.largest) + ": all are read as in one plane, whatever lies above the other";
-        drawing_.warnings.push_back(*highest_);
+        highest_.what = "curves are drawn at heights (z) from " + number_text(heights_.least) + " to " +
+                        number_text(heights_.largest) + ": all are read as in one plane, whatever lies above the other";
+        drawing_.warnings.push_back(highest_);
     }
 
     // ---- outlines ----
@@ -404,12 +412,9 @@ private:
     const LayerFilter& layers_;
     Drawing& drawing_;
     LeftOut left_out_;
-    SketchProblem tilted_;
-    int n_tilted_ = 0;
-    SketchProblem wide_;
-    int n_wide_ = 0;
-    Heights heights_;
-    std::optional<SketchProblem> highest_;  // where
+    Doubt tilted_, wide_;
+    Heights heights_{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    SketchProblem highest_;
     bool takes_paper_space_ = false;
     IgnoredList ignored_;
     Names names_;

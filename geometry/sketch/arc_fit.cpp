@@ -283,9 +283,7 @@ std::size_t begin_of_longest_facet(const std::vector<Vec2>& points) {
 /// Points of the curve, as many on each of its smooth portions that nothing of it can hide between them.
 std::vector<Vec2> sampled(const Curve& curve) {
     constexpr int per_portion = 64;
-    std::vector<double> breaks = smoothness_breaks(curve);
-    breaks.insert(breaks.begin(), 0.0);
-    breaks.push_back(1.0);
+    const std::vector<double> breaks = smooth_cuts(curve);
     std::vector<Vec2> points{point(curve, 0)};
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
         for (int k = 1; k <= per_portion; ++k)

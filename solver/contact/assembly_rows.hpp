@@ -27,7 +27,7 @@ Eigen::MatrixXd times_few(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& c
 
 /// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
 /// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where
-/// pressures would change by more than a trifle.
+/// pressures would change by more than a trifle, of their own or of the largest.
 std::optional<Eigen::VectorXd> balanced(const ContactQp& qp, const Eigen::MatrixXd& levers, const Eigen::VectorXd& forces);
 
 /// The contact problem under the motions `held` (amplitudes x motions), and its answer.

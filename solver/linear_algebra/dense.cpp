@@ -30,6 +30,7 @@ void solve_triangle(const MatrixXd& l, const char* transposed, MatrixXd& x) {
 }  // namespace
 
 SymmetricEigen symmetric_eigen(const MatrixXd& a) {
+    if (a.size() == 0) return {VectorXd(0), a};
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(a);
     return {eigen.eigenvalues(), eigen.eigenvectors()};
 }

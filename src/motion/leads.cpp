@@ -94,17 +94,17 @@ double farthest(const Scene& scene, const Support& s, const std::vector<EdgePort
 bool hold_deformed(const Scene& scene, const ResolvedConditions& conditions, const std::set<int>& deformed,
                    const std::vector<std::vector<geometry::Screw>>& all, Leads& leads) {
     const auto is_held = [&](int part) { return twist_space(all[at(part)], screw_scale(scene)).empty(); };
+    const auto is_deformed = [&](int part) { return deformed.count(part) > 0; };
     if (!std::all_of(deformed.begin(), deformed.end(), is_held)) return false;
     for (std::size_t k = 0; k < scene.supports.size(); ++k) {
-        if (!leads.is_leading[k]) continue;
-        const std::set<int> parts = parts_of(scene, scene.supports[k], conditions.supports[k]);
-        const auto is_deformed = [&](int part) { return deformed.count(part) > 0; };
-        if (std::none_of(parts.begin(), parts.end(), is_deformed)) continue;
-        const double far = farthest(scene, scene.supports[k], conditions.supports[k]);
-        const auto is_little = [&](int part) { return far <= placed_fraction * bounding_box(part_of(scene, part)).diagonal(); };
-        if (scene.supports[k].kind != Support::Kind::displacement || !std::all_of(parts.begin(), parts.end(), is_deformed) ||
-            !std::all_of(parts.begin(), parts.end(), is_little))
-            return false;
+        const Support& s = scene.supports[k];
+        const std::set<int> parts = parts_of(scene, s, conditions.supports[k]);
+        if (!leads.is_leading[k] || std::none_of(parts.begin(), parts.end(), is_deformed)) continue;
+        const double far = farthest(scene, s, conditions.supports[k]);
+        const auto is_little = [&](int part) {
+            return is_deformed(part) && far <= placed_fraction * bounding_box(part_of(scene, part)).diagonal();
+        };
+        if (s.kind != Support::Kind::displacement || !std::all_of(parts.begin(), parts.end(), is_little)) return false;
         leads.is_leading[k] = false;
     }
     for (const int part : deformed) leads.of[at(part)] = {};

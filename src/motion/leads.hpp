@@ -40,8 +40,8 @@ struct Leads {
 };
 
 /// Finds them. A part is led by edges where these are all displaced by the same constants, where nothing else holds it against
-/// that, springs among it, and where it cannot turn.
-/// What deforms a part that supports hold by less than placed_fraction of its size leads nothing.
+/// that, springs among it, and where it cannot turn. What deforms a part that supports hold by less than placed_fraction of its
+/// size leads nothing.
 Leads leads_of(const Scene& scene, const ResolvedConditions& conditions);
 
 /// Takes out what leads: the scene as it would be with these supports gone.

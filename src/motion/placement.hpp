@@ -69,6 +69,7 @@ struct Rest {
     std::vector<Placement> placements;
     bool is_held = false;  ///< by friction, which was there on the way, too
 };
+/// The rest with parts placed there.
 Rest rest_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements, bool is_held = false);
 
 /// "pin by (0, -4)", "lever by (0.1, -2) and 3.5 degrees"; center: of the part as drawn.

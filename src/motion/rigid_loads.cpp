@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "geometry/curves/gauss.hpp"
+#include "geometry/curves/curve_rule.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/loads.hpp"
@@ -38,24 +38,21 @@ struct LoadSum {
 
 void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions,
                    const std::vector<Vec2>& centers, std::vector<LoadSum>& on) {
-    constexpr int pieces = 8, points = 6;
-    const geometry::GaussRule& rule = geometry::gauss_rule(points);
     if (portions.empty()) return;
     const EdgeTraction spread = edge_traction(scene, load, portions);
     const bool keeps_direction = load.kind == Load::Kind::traction || load.kind == Load::Kind::edge_force;
     for (const EdgePortion& p : portions) {
         const geometry::Curve& curve = part_of(scene, p.part).edges[at(p.edge)].curve;
-        const double h = (p.t1 - p.t0) / pieces;
-        for (int k = 0; k < pieces; ++k)
-            for (std::size_t q = 0; q < rule.points.size(); ++q) {
-                const double t = p.t0 + h * (k + rule.points[q]);
-                const Vec2 x = point(curve, t);
-                const double area = h * rule.weights[q] * derivative(curve, t).norm() * scene_part(scene, p.part).thickness;
-                const Vec2 force = area * traction_at(load, spread, x, outward_normal(curve, t));
-                const Vec2 arm = x - centers[at(p.part)];
-                on[at(p.part)].add(force, arm);
-                if (keeps_direction) on[at(p.part)].load.stretch += arm.dot(force);
-            }
+        const geometry::CurveRule rule = geometry::curve_rule(curve, p.t0, p.t1);
+        for (std::size_t q = 0; q < rule.t.size(); ++q) {
+            const double t = rule.t[q];
+            const Vec2 x = point(curve, t);
+            const double area = rule.weights[q] * derivative(curve, t).norm() * scene_part(scene, p.part).thickness;
+            const Vec2 force = area * traction_at(load, spread, x, outward_normal(curve, t));
+            const Vec2 arm = x - centers[at(p.part)];
+            on[at(p.part)].add(force, arm);
+            if (keeps_direction) on[at(p.part)].load.stretch += arm.dot(force);
+        }
     }
 }
 

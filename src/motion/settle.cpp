@@ -351,7 +351,7 @@ private:
     /// the discs of a column, is balanced as it was drawn.
     Settling pushed(Settling end) {
         const std::vector<Placement> before = placements_;
-        const VectorXd push = moving_.n > 0 ? neutral_push() : VectorXd(0);
+        const VectorXd push = neutral_push();
         if (push.norm() == 0 || !advance(push)) return end;
         const VectorXd next = step_under(least_drag);
         std::vector<char> goes(before.size(), 0);  // by part; others may follow, as a lid does whose column buckles

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/curves/gauss.hpp"
+#include "geometry/curves/curve_rule.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -19,19 +19,16 @@ const geometry::Curve& curve_of(const Scene& scene, const EdgePortion& p) {
 /// Calls add(x, n, area) at the Gauss points of all portions; around an axis the areas are over 2 pi.
 template <class Add>
 void integrate(const Scene& scene, const std::vector<EdgePortion>& portions, Add add) {
-    constexpr int pieces = 16, points = 8;  // exact to rounding for arcs
-    const geometry::GaussRule& rule = geometry::gauss_rule(points);
     const bool around_axis = scene.analysis == Analysis::axisymmetric;
     for (const EdgePortion& p : portions) {
         const geometry::Curve& curve = curve_of(scene, p);
-        const double h = (p.t1 - p.t0) / pieces;
-        for (int k = 0; k < pieces; ++k)
-            for (std::size_t q = 0; q < rule.points.size(); ++q) {
-                const double t = p.t0 + h * (k + rule.points[q]);
-                const Vec2 x = point(curve, t);
-                const double width = scene.parts[at(p.part)].thickness * (around_axis ? x.x() : 1);
-                add(x, outward_normal(curve, t), std::abs(h) * rule.weights[q] * width * derivative(curve, t).norm());
-            }
+        const geometry::CurveRule rule = geometry::curve_rule(curve, p.t0, p.t1);
+        for (std::size_t q = 0; q < rule.t.size(); ++q) {
+            const double t = rule.t[q];
+            const Vec2 x = point(curve, t);
+            const double width = scene.parts[at(p.part)].thickness * (around_axis ? x.x() : 1);
+            add(x, outward_normal(curve, t), std::abs(rule.weights[q]) * width * derivative(curve, t).norm());
+        }
     }
 }
 
