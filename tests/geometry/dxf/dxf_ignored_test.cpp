@@ -100,6 +100,17 @@ TEST(DxfIgnored, TellsFillingsDrawnAsWideLines) {
     EXPECT_FALSE(told(0));
 }
 
+TEST(DxfIgnored, TellsWhatCouldBoundAPart) {
+    const auto is_told = [](const std::string& type) {
+        const Drawing drawing = read_drawing(
+            dxf_file(dxf_line("1", "A", 0, 0, 1, 0) + dxf_record(type, "2", "A", {{10, 0}, {20, 0}, {11, 1}, {21, 0}})));
+        return std::any_of(drawing.warnings.begin(), drawing.warnings.end(),
+                           [&](const SketchProblem& w) { return w.what.find(type) != std::string::npos; });
+    };
+    for (const char* type : {"MLINE", "3DSOLID", "REGION", "3DFACE"}) EXPECT_TRUE(is_told(type)) << type;
+    for (const char* type : {"TEXT", "DIMENSION", "SOLID", "XLINE"}) EXPECT_FALSE(is_told(type)) << type;
+}
+
 TEST(DxfIgnored, KnowsConstructionLinesByLineTypeAndLayer) {
     for (const char* name :
          {"CENTER", "Center2", "CENTERX2", "ACAD_ISO04W100", "SLD-Center", "HIDDEN", "phantom", "DASHDOT", "DASHED2"}) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/contact/assembly_rows.hpp"
 #include "tests/solver/contact/two_blocks.hpp"
 
 namespace abut::solver::assembly_solve_test {
@@ -72,6 +73,24 @@ protected:
         return b;
     }
 };
+
+/// Bodies between two faces whose pressures have levers of one: they are made to balance where that takes a trifle of what
+/// these are, or of the largest.
+TEST(Balanced, ChangesPressuresByTrifles) {
+    ContactQp qp;
+    qp.modes = Eigen::MatrixXd(3, 0);
+    const Eigen::MatrixXd levers = Eigen::Vector3d(0, 1, -1);
+    const auto of = [&](double one, double other) { return balanced(qp, levers, Eigen::Vector3d(1, one, other)); };
+    for (const auto& [one, other] : {std::pair{0.1, 0.1005}, std::pair{1e-8, 2e-8}}) {
+        const std::optional<Eigen::VectorXd> forces = of(one, other);
+        ASSERT_TRUE(forces) << one;
+        EXPECT_EQ((*forces)[0], 1);
+        EXPECT_NEAR((*forces)[1], (*forces)[2], 1e-14 * one);
+        EXPECT_GT((*forces)[1], one);
+        EXPECT_LT((*forces)[1], other);
+    }
+    EXPECT_FALSE(of(0.1, 0.2));
+}
 
 }  // namespace
 

@@ -54,10 +54,11 @@ std::string refusal(const std::string& text) {
 /// A straight side may be a spline that is drawn faster and slower: what is spread along it adds up all the same.
 TEST(EdgeTraction, AddsUpAlongSplinesWhereverTheirKnotsAre) {
     const Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [{"name": "p",
-      "material": "m", "geometry": {"outer": [{"line": {"from": [0, 0], "to": [4, 0]}}, {"line": {"from": [4, 0], "to": [4, 1]}},
-        {"name": "top", "nurbs": {"degree": 2, "knots": [0, 0, 0, 0.03, 1, 1, 1], "points": [[4, 1], [3.9, 1], [0.5, 1], [0, 1]]}},
-        {"line": {"from": [0, 1], "to": [0, 0]}}]}}],
-      "supports": [{"on": "p/top", "fix": ["x", "y"]}], "loads": [{"on": "p/top", "force": [3, 0]}]})",
+      "material": "m", "geometry": {"loops": [[{"line": {"from": [0, 0], "to": [4, 0]}}, {"line": {"from": [4, 0], "to": [4, 1]}},
+        {"nurbs": {"degree": 2, "knots": [0, 0, 0, 0.03, 1, 1, 1], "points": [[4, 1], [3.9, 1], [0.5, 1], [0, 1]]}},
+        {"line": {"from": [0, 1], "to": [0, 0]}}]]}}],
+      "supports": [{"part": "p", "rigid": {"translation": [0, 0], "rotation": 0}}],
+      "loads": [{"on": "p/e2", "force": [3, 0]}]})",
                                         "scene.json");
     const EdgeTraction spread = edge_traction(scene, scene.loads[0], resolve_conditions(scene).loads[0]);
     EXPECT_NEAR(spread.even.x(), 3.0 / 4, 1e-13);
