@@ -73,11 +73,13 @@ private:
         const Eigen::VectorXd& free = grid_.input.stress_free;
         return free.size() > 0 ? Vec2(free.segment<2>(2 * function)) : Vec2(0, 0);
     }
-    /// In the cells of a cut pulls go over from one side to the other, which bodies do in one place.
+    /// In the cells of a cut pulls go over from one side to the other, which bodies do in one place: half-way. Grid lines often
+    /// lie there, and are of the first side whatever the rounding.
     Vec2 pulled_at(const Vec2& local) const {
+        constexpr double half = 0.5 + 1e-9;
         if (!pulled_) return {0, 0};
-        const Vec2 pull = pulled_->value(local);
-        return (pull - sides_[0]).norm() <= (pull - sides_[1]).norm() ? sides_[0] : sides_[1];
+        const Vec2 jump = sides_[1] - sides_[0];
+        return (pulled_->value(local) - sides_[0]).dot(jump) <= half * jump.squaredNorm() ? sides_[0] : sides_[1];
     }
 
     const PartOnGrid& grid_;

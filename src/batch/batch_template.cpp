@@ -2,6 +2,7 @@
 #include "src/batch/batch_template.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "src/io/json_document.hpp"
 #include "src/io/nearest_name.hpp"
@@ -17,6 +18,20 @@ bool names_any_file(const JsonValue& value) {
     return std::any_of(value.items.begin(), value.items.end(), names_any_file);
 }
 
+bool has_word(const std::string& text, const std::string& word) {
+    const auto goes_on = [&](std::size_t k) {
+        return k < text.size() && (std::isalnum(static_cast<unsigned char>(text[k])) || text[k] == '_');
+    };
+    for (std::size_t k = text.find(word); k != std::string::npos; k = text.find(word, k + 1))
+        if ((k == 0 || !goes_on(k - 1)) && !goes_on(k + word.size())) return true;
+    return false;
+}
+
+bool names(const JsonValue& value, const std::string& parameter) {
+    if (value.kind == JsonValue::Kind::string && has_word(value.text, parameter)) return true;
+    return std::any_of(value.items.begin(), value.items.end(), [&](const JsonValue& item) { return names(item, parameter); });
+}
+
 const std::string how_to_name = std::string("name the file '") + any_file +
                                 "' where each job's own belongs, as in \"assembly\": {\"file\": \"" + any_file + "\", ...}";
 
@@ -24,9 +39,12 @@ const std::string how_to_name = std::string("name the file '") + any_file +
 
 BatchTemplate read_template(const std::string& file) {
     const JsonDocument document = read_json(file);
-    BatchTemplate result{file, names_any_file(document.root), {}};
+    BatchTemplate result{file, names_any_file(document.root), {}, {}};
     if (const JsonValue* parameters = find_member(document.root, "parameters"))
-        for (const JsonValue& item : parameters->items) result.parameters.push_back(item.key);
+        for (const JsonValue& item : parameters->items) {
+            result.parameters.push_back(item.key);
+            if (!names(document.root, item.key)) result.unused.push_back(item.key);
+        }
     return result;
 }
 

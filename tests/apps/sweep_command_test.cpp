@@ -61,6 +61,9 @@ TEST_F(CommandLine, SweepRefusesWhatItDoesNotUnderstand) {
         expect_refused(abut(words), 1);
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     EXPECT_NE(joined(abut({"sweep", scene, "q=1"}).errors).find("'q' is no parameter of"), std::string::npos);
+    write("p.json", R"({"abut": 1, "parameters": {"F": 1, "F2": 2, "G": "F2"}, "materials": {"m": {"E": 1, "nu": 0}}})");
+    EXPECT_NE(joined(abut({"sweep", "p.json", "F=1,2"}).errors).find("nothing in p.json uses its parameter 'F'"),
+              std::string::npos);
 }
 
 TEST_F(CommandLine, AnalyzeWritesEveryLoadCaseAndWhatIsLargest) {
