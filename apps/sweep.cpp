@@ -32,7 +32,8 @@ std::vector<SweptParameter> swept_parameters(const Arguments& arguments, const B
                 shortened(arguments.operands[k]), "'" + shortened(name) + "' is no parameter of " + scene.file,
                 known.empty() ? "give the scene \"parameters\" and use them in its numbers" : nearest_name_hint(name, known));
         if (std::find(scene.unused.begin(), scene.unused.end(), name) != scene.unused.end())
-            throw InputError(shortened(arguments.operands[k]), "nothing in " + scene.file + " uses its parameter '" + name + "'",
+            throw InputError(shortened(arguments.operands[k]),
+                             "nothing in " + scene.file + " uses its parameter '" + name + "'",
                              "write it where its value counts, as in \"force\": [0, \"" + name + "\"]");
     }
     return parameters;

@@ -59,13 +59,7 @@ private:
         if (!grid_.input.structure)
             moved_.emplace(grid_.input.space, element,
                            [&](int f) { return Vec2(displacement_.segment<2>(2 * f) - pull_of(f)); });
-        if (grid_.input.stress_free.size() > 0) {
-            std::vector<Vec2> pulls;
-            pulled_.emplace(grid_.input.space, element, [&](int f) { return pulls.emplace_back(pull_of(f)); });
-            sides_ = {pulls.front(), *std::max_element(pulls.begin(), pulls.end(), [&](const Vec2& a, const Vec2& b) {
-                          return (a - pulls.front()).squaredNorm() < (b - pulls.front()).squaredNorm();
-                      })};
-        }
+        if (grid_.input.stress_free.size() > 0) take_sides(element);
         if (stress_.failure.empty()) pressed_.emplace(local_stress(stress_, element));
     }
 
@@ -73,23 +67,34 @@ private:
         const Eigen::VectorXd& free = grid_.input.stress_free;
         return free.size() > 0 ? Vec2(free.segment<2>(2 * function)) : Vec2(0, 0);
     }
-    /// In the cells of a cut pulls go over from one side to the other, which bodies do in one place: half-way. Grid lines often
-    /// lie there, and are of the first side whatever the rounding.
+
+    /// Functions of both sides of a cut reach into the elements around it, where the body changes over on the line.
+    void take_sides(int element) {
+        const std::vector<int>& functions = extraction(grid_.input.space, element).functions;
+        const auto shift_of = [&](int f) { return Vec2(pull_of(f) / coefficient_of_one(grid_.input.space, f)); };
+        cut_ = nullptr;
+        sides_.fill(shift_of(functions.front()));
+        for (std::size_t k = 0; k < grid_.cuts.size(); ++k) {
+            const auto is_drawn = [&](int f) { return !grid_.input.pulls[k].segment<2>(2 * f).isZero(0); };
+            for (const int f : functions) {
+                if (is_drawn(f) == is_drawn(functions.front())) continue;
+                cut_ = &grid_.cuts[k];
+                sides_[is_drawn(f) ? 1 : 0] = shift_of(f);
+            }
+        }
+    }
     Vec2 pulled_at(const Vec2& local) const {
-        constexpr double half = 0.5 + 1e-9;
-        if (!pulled_) return {0, 0};
-        const Vec2 jump = sides_[1] - sides_[0];
-        return (pulled_->value(local) - sides_[0]).dot(jump) <= half * jump.squaredNorm() ? sides_[0] : sides_[1];
+        return sides_[cut_ && geometry::cross((*cut_)[1] - (*cut_)[0], local - (*cut_)[0]) > 0 ? 1 : 0];
     }
 
     const PartOnGrid& grid_;
     const Eigen::VectorXd& displacement_;
     const solver::StressField& stress_;
     int element_ = -1;
-    std::optional<solver::LocalSpline<2>> pulled_;   // of parts that are tightened
-    std::array<Vec2, 2> sides_{};                    // how far those of a cut through the element are pulled
-    std::optional<solver::LocalSpline<2>> moved_;    // without a solution structure
-    std::optional<solver::LocalSpline<3>> pressed_;  // where there are stresses
+    const std::array<Vec2, 2>* cut_ = nullptr;           // through the element, or beside it
+    std::array<Vec2, 2> sides_{Vec2(0, 0), Vec2(0, 0)};  // how far those are drawn along it
+    std::optional<solver::LocalSpline<2>> moved_;        // without a solution structure
+    std::optional<solver::LocalSpline<3>> pressed_;      // where there are stresses
 };
 
 int steps_along(const geometry::Curve& curve, double t0, double t1) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A part on its grid, as geometry and as what the solver is told of it.
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "geometry/cells/elements.hpp"
 #include "geometry/quadrature/quadrature.hpp"
@@ -30,6 +32,8 @@ struct PartOnGrid {
     double size = 0;    ///< its diagonal
     Vec2 center{0, 0};  ///< its centroid, local
     solver::PartInput input;
+    /// The ends of the lines, local, whose sides input.pulls draw together: the side on the left of each moves.
+    std::vector<std::array<Vec2, 2>> cuts{};
     /// What the stress fits of several displacements have in common; none: there is one only.
     std::shared_ptr<Once<solver::StressFitFactor>> fit{};
     Once<std::vector<std::pair<int, Vec2>>> cut_samples{};  ///< cut_cell_samples() asks for them

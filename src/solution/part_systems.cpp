@@ -41,6 +41,8 @@ LoadedSystem make_system(const Scene& scene, const ResolvedConditions& condition
     if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
     g.input.free_strain = free_strain(scene, g);
     g.input.pulls = pull_displacements(scene, g);
+    for (const Load* load : preloads_on(scene, g.part))
+        g.cuts.push_back({g.frame.to_local(load->across[0]), g.frame.to_local(load->across[1])});
     PartLoad load = load_vector(scene, conditions, g);
     return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
                                      spring_sets(scene, conditions, g), load.weighted),
