@@ -110,12 +110,20 @@ Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchD
     // "touching" is no word of scenes: parts are where a solution has pressed them into each other
     if (m.counts_as_touching || scene.contacts.overlap == "touching")
         for (Candidate& c : m.candidates) c.apart = std::max(0.0, -c.zone.gap_min);
-    if (common.depth > touching && is_searched(scene, rules.of(first, common.edge1, second, common.edge2))) {
+    const auto is_searched_at = [&](const BoundaryPlace& p, const BoundaryPlace& q) {
+        return is_searched(scene, rules.of(p, q));
+    };
+    const auto place_at = [](const geometry::Part& part, int index, int edge, const Vec2& x) {
+        return BoundaryPlace{index, edge, closest_parameter(part.edges[at(edge)].curve, x)};
+    };
+    if (common.depth > touching &&
+        is_searched_at(place_at(a, first, common.edge1, common.at), place_at(b, second, common.edge2, common.at))) {
         m.overlap = common;
         m.too_deep = common.depth > deepest || !depth_seen;
         m.is_refused = m.too_deep || (scene.contacts.overlap == "report" && !m.counts_as_touching);
     }
-    m.unpaired = m.closest && !paired && is_searched(scene, rules.of(first, m.closest->edge1, second, m.closest->edge2));
+    m.unpaired = m.closest && !paired &&
+                 is_searched_at({first, m.closest->edge1, m.closest->t1}, {second, m.closest->edge2, m.closest->t2});
     return m;
 }
 

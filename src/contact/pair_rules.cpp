@@ -2,10 +2,11 @@
 #include "src/contact/pair_rules.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 
 #include "geometry/proximity/zone_pieces.hpp"
-#include "src/scene/scene.hpp"
-#include "src/scene/selection.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 
@@ -27,44 +28,76 @@ FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZon
     return z;
 }
 
+bool holds(const std::vector<EdgePortion>& portions, const BoundaryPlace& p) {
+    const auto begins_later = [](const BoundaryPlace& place, const EdgePortion& portion) {
+        return std::tie(place.part, place.edge, place.t) < std::tie(portion.part, portion.edge, portion.t0);
+    };
+    const auto next = std::upper_bound(portions.begin(), portions.end(), p, begins_later);
+    if (next == portions.begin()) return false;
+    const EdgePortion& last = *std::prev(next);
+    return last.part == p.part && last.edge == p.edge && p.t <= last.t1;
+}
+
+bool share(const std::vector<EdgePortion>& a, const std::vector<EdgePortion>& b) {
+    const auto meet = [](const EdgePortion& p, const EdgePortion& q) {
+        return p.part == q.part && p.edge == q.edge && std::max(p.t0, q.t0) < std::min(p.t1, q.t1);
+    };
+    return std::any_of(a.begin(), a.end(), [&](const EdgePortion& p) {
+        return std::any_of(b.begin(), b.end(), [&](const EdgePortion& q) { return meet(p, q); });
+    });
+}
+
+/// The arc lengths of a chain where rules begin or end inside its edges.
+std::vector<double> ends_along(const Scene& scene, const PairRules& rules, int part, const geometry::Chain& chain) {
+    std::vector<double> ends;
+    for (std::size_t k = 0; k < chain.edges.size(); ++k)
+        for (const double t : rules.ends_on(part, chain.edges[k]))
+            ends.push_back(chain.begin[k] + length(part_of(scene, part).edges[at(chain.edges[k])].curve, 0, t));
+    return ends;
+}
+
 }  // namespace
 
 PairRules::PairRules(const Scene& scene) {
-    const auto edges_of = [&](const Selection& side) {
-        Edges edges;
-        for (const EdgePortion& portion : select(scene, side)) edges.insert({portion.part, portion.edge});
-        return edges;
-    };
-    for (const PairRule& rule : scene.contacts.pairs) edges_.push_back({edges_of(rule.between[0]), edges_of(rule.between[1])});
+    for (const PairRule& rule : scene.contacts.pairs) on_.push_back(rule.on);
 }
 
-int PairRules::of(int part1, int edge1, int part2, int edge2) const {
-    const std::array<int, 2> a{part1, edge1}, b{part2, edge2};
-    for (int r = static_cast<int>(edges_.size()) - 1; r >= 0; --r) {
-        const auto& [one, other] = edges_[static_cast<std::size_t>(r)];
-        if ((one.count(a) && other.count(b)) || (one.count(b) && other.count(a))) return r;
+int PairRules::of(const BoundaryPlace& a, const BoundaryPlace& b) const {
+    for (int r = static_cast<int>(on_.size()) - 1; r >= 0; --r) {
+        const auto& [one, other] = on_[at(r)];
+        if ((holds(one, a) && holds(other, b)) || (holds(one, b) && holds(other, a))) return r;
     }
     return -1;
 }
 
 int PairRules::later_than(int r) const {
-    const auto share = [](const Edges& a, const Edges& b) {
-        return std::any_of(a.begin(), a.end(), [&](const auto& edge) { return b.count(edge) > 0; });
-    };
-    const auto& [one, other] = edges_[static_cast<std::size_t>(r)];
-    for (int q = static_cast<int>(edges_.size()) - 1; q > r; --q) {
-        const auto& [a, b] = edges_[static_cast<std::size_t>(q)];
+    const auto& [one, other] = on_[at(r)];
+    for (int q = static_cast<int>(on_.size()) - 1; q > r; --q) {
+        const auto& [a, b] = on_[at(q)];
         if ((share(one, a) && share(other, b)) || (share(one, b) && share(other, a))) return q;
     }
     return -1;
+}
+
+std::vector<double> PairRules::ends_on(int part, int edge) const {
+    std::vector<double> ends;
+    for (const auto& sides : on_)
+        for (const std::vector<EdgePortion>& side : sides)
+            for (const EdgePortion& p : side)
+                if (p.part == part && p.edge == edge)
+                    for (const double t : {p.t0, p.t1})
+                        if (t > 0 && t < 1) ends.push_back(t);
+    return ends;
 }
 
 std::vector<RuledZone> split_by_rules(const Scene& scene, const PairRules& rules, int first, int second,
                                       const FacingZone& zone) {
     if (rules.none()) return {{zone, -1}};
     std::vector<Run> runs;
-    for (const geometry::ZonePiece& p : zone_pieces(part_of(scene, first), part_of(scene, second), zone)) {
-        const int rule = rules.of(first, p.edge1, second, p.edge2);
+    for (const geometry::ZonePiece& p :
+         zone_pieces(part_of(scene, first), part_of(scene, second), zone,
+                     {ends_along(scene, rules, first, zone.chain1), ends_along(scene, rules, second, zone.chain2)})) {
+        const int rule = rules.of({first, p.edge1, p.t1}, {second, p.edge2, p.t2});
         if (runs.empty() || runs.back().rule != rule) {
             runs.push_back({rule, p.begin1, p.end1, p.gap_min, p.gap_max});
             continue;
@@ -74,6 +107,12 @@ std::vector<RuledZone> split_by_rules(const Scene& scene, const PairRules& rules
         runs.back().gap_max = std::max(runs.back().gap_max, p.gap_max);
     }
     if (runs.size() == 1) return {{zone, runs[0].rule}};
+    if (zone.closed && runs.front().rule == runs.back().rule) {  // where a closed zone begins is no end
+        runs.back().end1 = runs.front().end1 + zone.chain1.length;
+        runs.back().gap_min = std::min(runs.back().gap_min, runs.front().gap_min);
+        runs.back().gap_max = std::max(runs.back().gap_max, runs.front().gap_max);
+        runs.erase(runs.begin());
+    }
     std::vector<RuledZone> stretches;
     for (const Run& run : runs) stretches.push_back({stretch_of(scene, first, second, zone, run), run.rule});
     return stretches;

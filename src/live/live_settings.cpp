@@ -8,6 +8,7 @@
 
 #include "src/base/ensure.hpp"
 #include "src/io/json_document.hpp"
+#include "src/scene/selection.hpp"
 
 namespace abut {
 
@@ -83,9 +84,6 @@ void move_part(Scene& scene, const std::string& name, const Vec2& by) {
         if (load.part == name && load.kind == Load::Kind::preload)
             for (Vec2& end : load.across) end += by;
     }
-    for (PairRule& rule : scene.contacts.pairs)
-        for (Selection& side : rule.between)
-            for (Selector& selector : side) move_selection(selector, name, by);
 }
 
 const LiveSetting& setting_of(const std::vector<LiveSetting>& settings, const std::string& key) {
@@ -165,6 +163,7 @@ Scene with_settings(Scene scene, const std::vector<LiveSetting>& settings, const
                 PairRule rule;
                 rule.between = {all_edges_of(s.parts[0]), all_edges_of(s.parts[1])};
                 rule.interference = value[0];
+                resolve(scene, rule);
                 scene.contacts.pairs.push_back(rule);
                 break;
             }

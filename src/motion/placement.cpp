@@ -52,12 +52,6 @@ void take_off(const Placement& p, const ScenePart& drawn, Support& s) {
     if (s.y) s.value[1] = Expression(rest_of(s.value[1].constant(), done.y(), size));
 }
 
-bool is_by_place(const PairRule& rule) {
-    const auto is_by_place = [](const Selector& s) { return s.near || s.box || s.facing; };
-    return std::any_of(rule.between.begin(), rule.between.end(),
-                       [&](const Selection& side) { return std::any_of(side.begin(), side.end(), is_by_place); });
-}
-
 /// Grid lines are given in assembly coordinates turned by -angle.
 void move_grid(const Placement& p, GridOptions& grid) {
     grid.angle += p.angle;
@@ -129,10 +123,7 @@ std::string why_not_followed(const Scene& scene, const ResolvedConditions& condi
     if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
     if (std::any_of(scene.loads.begin(), scene.loads.end(), varies_by_place))
         return "a load is given by expressions of the place";
-    if (const std::string why = leads_of(scene, conditions).why_not; !why.empty()) return why;
-    const std::vector<PairRule>& rules = scene.contacts.pairs;
-    if (std::any_of(rules.begin(), rules.end(), is_by_place)) return "a rule of contacts.pairs is for edges at a place";
-    return "";
+    return leads_of(scene, conditions).why_not;
 }
 
 Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {

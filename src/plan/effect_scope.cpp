@@ -85,8 +85,8 @@ private:
         std::set<IndexPair> found;
         for (const PairRule& rule : scene_.contacts.pairs) {
             if (!wanted(rule)) continue;
-            for (const EdgePortion& a : select(scene_, rule.between[0]))
-                for (const EdgePortion& b : select(scene_, rule.between[1]))
+            for (const EdgePortion& a : rule.on[0])
+                for (const EdgePortion& b : rule.on[1])
                     if (a.part != b.part && have_common_level(scene_.parts[at(a.part)].level, scene_.parts[at(b.part)].level))
                         found.insert({std::min(a.part, b.part), std::max(a.part, b.part)});
         }

@@ -77,13 +77,25 @@ std::vector<EdgePortion> check_selection(SceneReading& reading, const Scene& sce
     return portions;
 }
 
+/// The part that a rule is for by itself; -1 where it is for several.
+int own_part(const PairRule& rule) {
+    const int part = rule.on[0].front().part;
+    const auto is_its = [&](const EdgePortion& p) { return p.part == part; };
+    const auto is_on_it = [&](const std::vector<EdgePortion>& side) { return std::all_of(side.begin(), side.end(), is_its); };
+    return std::all_of(rule.on.begin(), rule.on.end(), is_on_it) ? part : -1;
+}
+
 /// A rule for parts that lie on different levels, all of them, says what cannot be.
-void check_rule(SceneReading& reading, const Scene& scene, const PairRule& rule) {
-    const std::vector<EdgePortion> first = check_selection(reading, scene, rule.between[0]),
-                                   second = check_selection(reading, scene, rule.between[1]);
-    if (rule.kind == PairRule::Kind::ignore || first.empty() || second.empty()) return;
-    for (const EdgePortion& a : first)
-        for (const EdgePortion& b : second)
+void resolve_rule(SceneReading& reading, Scene& scene, PairRule& rule) {
+    const std::size_t before = reading.problems.size();
+    for (const Selection& side : rule.between) check_selection(reading, scene, side);
+    if (reading.problems.size() > before) return;
+    resolve(scene, rule);
+    if (rule.kind == PairRule::Kind::ignore) return;
+    if (const int part = own_part(rule); part >= 0 && (rule.kind == PairRule::Kind::bonded || rule.interference != 0))
+        scene.contacts.of_one_part.insert(part);
+    for (const EdgePortion& a : rule.on[0])
+        for (const EdgePortion& b : rule.on[1])
             if (have_common_level(scene_part(scene, a.part).level, scene_part(scene, b.part).level)) return;
     report_problem(reading, *find_pointer(reading.root, rule.where),
                    "these edges belong to parts that have no level in common: they cannot meet",
@@ -105,10 +117,10 @@ std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& 
     return selection;
 }
 
-void check_selections(SceneReading& reading, const Scene& scene) {
+void check_selections(SceneReading& reading, Scene& scene) {
     for (const Support& support : scene.supports) check_selection(reading, scene, support.on);
     for (const Load& load : scene.loads) check_selection(reading, scene, load.on);
-    for (const PairRule& pair : scene.contacts.pairs) check_rule(reading, scene, pair);
+    for (PairRule& pair : scene.contacts.pairs) resolve_rule(reading, scene, pair);
 }
 
 }  // namespace abut

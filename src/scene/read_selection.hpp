@@ -12,6 +12,6 @@ namespace abut {
 std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& value);
 
 /// Reports every selector that matches no edge of the scene's parts.
-void check_selections(SceneReading& reading, const Scene& scene);
+void check_selections(SceneReading& reading, Scene& scene);
 
 }  // namespace abut

@@ -121,9 +121,18 @@ struct LoadCase {
     std::string where;
 };
 
+/// A portion of a part's boundary.
+struct EdgePortion {
+    int part;       ///< index into Scene::parts
+    int edge;       ///< index into Part::edges
+    double t0, t1;  ///< parameters of the edge's curve, t0 < t1
+};
+
 /// A rule for what may touch: two selections and how they meet.
 struct PairRule {
     std::array<Selection, 2> between;
+    /// What these select in the drawing, sorted: it stays with the parts where these move and bend.
+    std::array<std::vector<EdgePortion>, 2> on{};
     enum class Kind { contact, bonded, ignore } kind = Kind::contact;
     double interference = 0;
     std::optional<double> friction{};  ///< coefficient, infinite: rough; unset: that of all contacts
@@ -155,7 +164,8 @@ struct ContactOptions {
     std::optional<PenaltyOptions> penalty;  ///< unset: mortar
     double friction = 0;                    ///< coefficient, infinite: rough
     std::vector<PairRule> pairs;
-    /// Parts whose own faces may touch each other: not given, but found where an answer without has them overlap.
+    /// Parts whose own faces may touch each other: those that rules bond or press together, and those found where an answer
+    /// without has them overlap.
     std::set<int> of_one_part{};
 };
 

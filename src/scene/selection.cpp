@@ -276,4 +276,8 @@ std::vector<EdgePortion> select(const Scene& scene, const Selection& selection) 
     return merged(std::move(portions));
 }
 
+void resolve(const Scene& scene, PairRule& rule) {
+    for (std::size_t side : {0U, 1U}) rule.on[side] = select(scene, rule.between[side]);
+}
+
 }  // namespace abut

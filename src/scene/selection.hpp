@@ -7,16 +7,12 @@
 
 namespace abut {
 
-/// A portion of a part's boundary.
-struct EdgePortion {
-    int part;       ///< index into Scene::parts
-    int edge;       ///< index into Part::edges
-    double t0, t1;  ///< parameters of the edge's curve, t0 < t1
-};
-
 /// The portions selected, by part, edge and parameter, without overlaps. Throws InputError (JSON pointer of the selector) where
 /// a selector matches nothing: the message lists the part's edges, or the known parts where the part is unknown.
 std::vector<EdgePortion> select(const Scene& scene, const Selection& selection);
+
+/// Fills in what a rule is for in the scene as it is drawn. Throws like select.
+void resolve(const Scene& scene, PairRule& rule);
 
 /// The edges of a part nearest to a place, ascending: several where their distances are the same to what the part merges. The
 /// first of them is what `near` selects.

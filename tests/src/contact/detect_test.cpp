@@ -16,6 +16,7 @@
 #include "geometry/interfaces/interface_kind.hpp"
 #include "src/inspection/detect_pictures.hpp"
 #include "src/scene/read_sketch.hpp"
+#include "src/scene/selection.hpp"
 
 namespace abut::detect_test {
 namespace {
@@ -350,17 +351,21 @@ TEST(Detect, IgnoredPairsAreLeftOut) {
     EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 3u);
     PairRule rule;
     rule.kind = PairRule::Kind::ignore;
+    const auto add = [&] {
+        resolve(scene, rule);
+        scene.contacts.pairs.push_back(rule);
+    };
     rule.between = {edges("b/left"), edges("a/right")};
-    scene.contacts.pairs.push_back(rule);
+    add();
     const Detection fewer = detect_contacts(scene, {});
     ASSERT_EQ(fewer.pairs.size(), 2u);
     EXPECT_EQ(fewer.pairs[0].parts[1], "c");
     rule.between = {edges("c/*"), edges("a/*")};
-    scene.contacts.pairs.push_back(rule);
+    add();
     EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 1u);
     const Selection two{edges("b/left").front(), edges("b/top").front()};
     rule.between = {two, edges("c/*")};
-    scene.contacts.pairs.push_back(rule);
+    add();
     EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 0u);
 }
 
