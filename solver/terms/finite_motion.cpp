@@ -25,6 +25,13 @@ Matrix2d quadratic_stress(const Elasticity& d, const Matrix2d& G, double hoop) {
     return matrix_of(stress_of(d, strain)) + 0.5 * d.d12 * hoop * hoop * Matrix2d::Identity();
 }
 
+/// Is a displacement's gradient one that linear elasticity has at sharp corners only? What such strains of the order of one
+/// leave out moves the corner's own cells, by far, and nothing else.
+bool is_at_corner(const Matrix2d& G) {
+    constexpr double large_strain = 0.1;
+    return (0.5 * (G + G.transpose())).norm() > large_strain;
+}
+
 /// A displacement's gradient and stress at a point, and what they weigh in integrals over the part.
 struct PointOfPart {
     int element;
@@ -74,6 +81,10 @@ VectorXd finite_motion_load(const PartInput& input, const VectorXd& displacement
         for (Index k = 0; k < n; ++k) {
             const PointOfPart& p = points[static_cast<std::size_t>(k)];
             const Matrix2d& G = p.u.gradient;
+            if (is_at_corner(G)) {
+                second.row(k).setZero();
+                continue;
+            }
             const double hoop = input.axis ? hoop_strain(input, p.x, p.u) : 0;
             const Matrix2d P = p.weight * (G * p.stress + quadratic_stress(d, G, hoop));
             second.row(k) << P(0, 0), P(0, 1), P(1, 0), P(1, 1);
@@ -105,6 +116,7 @@ double stretching_work(const PartInput& input, const VectorXd& displacement, con
         const LocalSpline<2> v(input.space, rule.element, [&](int k) { return added.segment<2>(2 * k); });
         for (const PointOfPart& p : points) {
             const Matrix2d& G = p.u.gradient;
+            if (is_at_corner(G)) continue;
             const SplineAt<2> more = v.at(p.x);
             double hoop = 0, of_added = 0;
             if (input.axis) {

@@ -141,7 +141,7 @@ void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& resul
 }
 
 /// Bonded pairs that would open if they were contacts.
-void check_bonds(Result& result) {
+void check_bonds(const SolvedAssembly& solved, Result& result) {
     std::vector<Finding> findings;
     const auto largest = [](const ContactResult& c) {
         double most = 0;
@@ -150,8 +150,9 @@ void check_bonds(Result& result) {
     };
     double of_all = 0;
     for (const ContactResult& c : result.contacts) of_all = std::max(of_all, largest(c));
-    for (const ContactResult& c : result.contacts) {
-        if (c.kind != "bonded") continue;
+    for (std::size_t i = 0; i < result.contacts.size(); ++i) {
+        const ContactResult& c = result.contacts[i];
+        if (c.kind != "bonded" || carries_nothing(solved, i)) continue;
         const std::vector<double>& p = c.profile.pressure;
         const auto least = std::min_element(p.begin(), p.end());
         if (p.empty() || *least >= -std::max(noted_tension * largest(c), rounded_tension * of_all)) continue;
@@ -330,7 +331,7 @@ void warn_of_unused_rules(const Scene& scene, const Outcome& out, Result& result
 void check_assumptions(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Result& result) {
     check_kinematics(scene, conditions, out.solved, result);
     check_yield(scene, out.solved, result);
-    check_bonds(result);
+    check_bonds(out.solved, result);
     note_zero_loads(scene, out.solved, result);
     check_thickness(scene, out.solved, result);
     warn_of_unused_rules(scene, out, result);

@@ -145,8 +145,8 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
     for (const PartOnGrid& g : solved.grids) record.unknowns += g.is_rigid ? 0 : 2 * g.input.space.n_functions;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         record.contacts.emplace_back();
-        if (solved.interface_of[k] < 0) continue;
         const ContactInterface& c = solved.contacts[k];
+        if (solved.interface_of[k] < 0 || (c.face.bilateral && carries_nothing(solved, k))) continue;
         record.contacts.back() = {c.s1,
                                   c.s,
                                   c.face.pressure,

@@ -461,6 +461,12 @@ std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size
     return without_flicker(stretches, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
 }
 
+bool carries_nothing(const SolvedAssembly& solved, std::size_t contact) {
+    const double load_scale = solved.problem.load_scale;
+    return is_rounding(solved, contact, pressure_of(solved, contact), load_scale) &&
+           contact_force(solved, contact).force.norm() <= solver::open_force_fraction * load_scale;
+}
+
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {
     ENSURE(contact < solved.interface_of.size() && at(solved.interface_of[contact]) < solved.solution.pressure.size(),
            "pressures are asked for of contacts that were solved");

@@ -60,6 +60,9 @@ inline bool has_bonds(const SolvedAssembly& solved) {
 std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
                                          double load_scale);
 
+/// Is what a contact that has an interface carries no more than rounding, bonded or not?
+bool carries_nothing(const SolvedAssembly& solved, std::size_t contact);
+
 /// The coefficients of a contact's pressure spline.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);
 

@@ -214,4 +214,23 @@ TEST(Bonded, EndsInNoCornerOnAPlaneOfSymmetry) {
     EXPECT_TRUE(r.accuracy.reached);
 }
 
+/// Two blocks of one steel that are heated alike: the bond has nothing to carry, and what rounding leaves of that is not told.
+TEST(Bonded, WhatCarriesNothingIsKnown) {
+    for (const char* analysis : {"plane_strain", "plane_stress"}) {
+        const Result r =
+            analyze(read_scene_text(R"({"abut": 1, "analysis": ")" + std::string(analysis) +
+                                        R"(", "materials": {"m": {"E": 210000, "nu": 0.3, "expansion": 1.2e-5}},
+            "parts": [)" + block("a", "[0, 0]", "[40, 10]") +
+                                        ", " + block("b", "[0, 10]", "[40, 20]") +
+                                        R"(], "contacts": {"pairs": [{"between": ["a/top", "b/bottom"], "kind": "bonded"}]},
+            "supports": [{"part": "a", "at": [0, 0], "fix": ["x", "y"]}, {"part": "a", "at": [40, 0], "fix": ["y"]}],
+            "loads": [{"part": "a", "temperature": 100}, {"part": "b", "temperature": 100}]})",
+                                    "scene.json"),
+                    {});
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_TRUE(r.reasons.empty()) << r.reasons.front().text;
+        EXPECT_TRUE(r.warnings.empty()) << r.warnings.front();
+    }
+}
+
 }  // namespace abut::bonded_test
