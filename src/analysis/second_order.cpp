@@ -45,7 +45,7 @@ constexpr double noted_change = 2, strains_share = 5;
 constexpr double least_displacement = 0.01;
 /// A translation, rotation or bending counts beside all that a part moves by.
 constexpr double least_share = 0.05;
-/// Wrenches that turn or go along with parts, of the largest force, below which none is looked at further.
+/// Wrenches that turn or go along with parts, of the largest force on the part, below which none is looked at further.
 constexpr double noted_wrench = 1e-4;
 /// Gaps that motions along normals leave out, of the largest motion, below which none is looked at further.
 constexpr double noted_gap = 1e-3;
@@ -61,6 +61,26 @@ double largest_force(const SolvedAssembly& solved) {
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         if (solved.interface_of[k] >= 0) largest = std::max(largest, pressing_force(solved, k));
     return largest;
+}
+
+double largest_force_on(const SolvedAssembly& solved, std::size_t part) {
+    double largest = solved.problem.part_load[part];
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const std::array<int, 2>& parts = solved.contacts[k].face.part;
+        if (solved.interface_of[k] >= 0 && (at(parts[0]) == part || at(parts[1]) == part))
+            largest = std::max(largest, pressing_force(solved, k));
+    }
+    return largest;
+}
+
+/// By part: does it move by enough beside the part that moves farthest?
+std::vector<char> moves_that_count(const SolvedAssembly& solved) {
+    std::vector<double> moved;
+    for (const VectorXd& u : solved.solution.displacement) moved.push_back(u.lpNorm<Eigen::Infinity>());
+    const double largest = *std::max_element(moved.begin(), moved.end());
+    std::vector<char> counts;
+    for (const double own : moved) counts.push_back(own > least_displacement * largest);
+    return counts;
 }
 
 /// Does a part bend, or is it strained, by a share of its mean width that counts?
@@ -124,16 +144,16 @@ bool calls_for_second_order(const Scene& scene, const SolvedAssembly& solved, co
                             const std::vector<double>& columns) {
     for (std::size_t k = 0; k < gaps.size(); ++k)
         if (gaps[k] != 0 && std::abs(gaps[k]) > noted_gap * largest_motion(solved, k)) return true;
-    const double noted = noted_wrench * largest_force(solved);
+    const std::vector<char> counts = moves_that_count(solved);
+    const auto is_noted = [&](std::size_t part, double force, double moment) {
+        return counts[part] && !is_neutral(solved, part) &&
+               std::max(force, std::abs(moment) / solved.grids[part].size) > noted_wrench * largest_force_on(solved, part);
+    };
     for (std::size_t i = 0; i < solved.grids.size(); ++i)
-        if (bends_far(solved, i) || columns[i] > noted_column ||
-            (!is_neutral(solved, i) && std::abs(moment_as_part_turns(solved, i)) > noted * solved.grids[i].size))
-            return true;
+        if (bends_far(solved, i) || columns[i] > noted_column || is_noted(i, 0, moment_as_part_turns(solved, i))) return true;
     const std::vector<ContactChange> changes = changes_as_contacts_move(scene, solved);
-    return std::any_of(changes.begin(), changes.end(), [&](const ContactChange& change) {
-        return !is_neutral(solved, change.part) &&
-               std::max(change.force.norm(), std::abs(change.moment) / solved.grids[change.part].size) > noted;
-    });
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const ContactChange& change) { return is_noted(change.part, change.force.norm(), change.moment); });
 }
 
 /// The largest mean strain of a part, by its energy.
@@ -186,17 +206,15 @@ Vec2 force_left_out(const SolvedAssembly& solved, const SolvedAssembly& moved, s
     const PartOnGrid& grid = solved.grids[i];
     const VectorXd more = moved.problem.parts[i].applied - solved.problem.parts[i].applied;
     const Vec2 force = solver::resultant_of(grid.input.space, more).force;
-    return force.norm() > noted_wrench * largest_force(solved) ? grid.frame.vector_to_global(force) : Vec2(0, 0);
+    return force.norm() > noted_wrench * largest_force_on(solved, i) ? grid.frame.vector_to_global(force) : Vec2(0, 0);
 }
 
 /// The largest of the changes of a part's translation, its rotation, and its bending: what grows may be a small share of all
 /// that it moves by, across the way that most of this goes. What edges hold bends as a whole.
 Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std::size_t i) {
     const VectorXd &u = solved.solution.displacement[i], v = moved.solution.displacement[i] - u;
-    double largest = 0;
-    for (const VectorXd& other : solved.solution.displacement) largest = std::max(largest, other.lpNorm<Eigen::Infinity>());
-    const double own = u.lpNorm<Eigen::Infinity>(), least = least_share * own;
-    if (own <= least_displacement * largest) return {};
+    if (!moves_that_count(solved)[i]) return {};
+    const double least = least_share * u.lpNorm<Eigen::Infinity>();
     const FittedMotion of_u = fitted_motion_of(solved, i), of_v = fitted_motion(solved.grids[i], v);
     Change most;
     const auto take = [&](const Change& change) {

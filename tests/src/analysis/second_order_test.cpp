@@ -196,6 +196,25 @@ TEST(SecondOrder, RoundOverRound) {
                 100 * (1 - right / by_normals), 3);
 }
 
+/// A pendulum that stands on springs, whatever else the scene holds that a larger force presses.
+TEST(SecondOrder, SmallForcesBesideLargeOnes) {
+    for (const double beside : {0.0, 1e4, 1e8}) {
+        const Result r =
+            analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}, "hard": {"E": 1e13, "nu": 0.3}},
+            "parts": [{"name": "b", "material": "rigid", "geometry": {"rectangle": {"min": [-5, 0], "max": [5, 200]}}},
+                      {"name": "block", "material": "hard", "geometry": {"rectangle": {"min": [200, 0], "max": [300, 100]}}}],
+            "supports": [{"on": "b/bottom", "spring": {"normal": 24, "tangential": 24}}, {"on": "block/bottom", "fix": ["x", "y"]}],
+            "loads": [{"on": "b/top", "force": [0.04, -4]}, {"on": "block/top", "force": [0, )" +
+                                        std::to_string(-beside) + "]}]}",
+                                    "s.json"),
+                    {});
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_TRUE(std::any_of(r.reasons.begin(), r.reasons.end(), [](const Reason& reason) {
+            return reason.text.find("displacements of part b change by about 67 %") != std::string::npos;
+        })) << beside;
+    }
+}
+
 /// Leaves that rough faces hold at sharp corners, where strains are of the order of a hundred: by hand the forces between them
 /// turn by less than 1 % of themselves.
 TEST(SecondOrder, StrainsAtCornersTellNothing) {
