@@ -95,11 +95,14 @@ bool search_exactly(const ShiftedQp& shifted, ContactState& state, ContactQpResu
     return true;
 }
 
+double residual_of(const ShiftedQp& shifted, const ContactState& state) {
+    return friction_residual(shifted.qp,
+                             {state.multipliers, gap_of(shifted, state), imbalance_of(shifted.qp, state.multipliers)});
+}
+
 /// Does a state meet all conditions but for the rounding of ties?
 bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
-    const VectorXd imbalance = imbalance_of(shifted.qp, state.multipliers);
-    return friction_residual(shifted.qp, {state.multipliers, gap_of(shifted, state), imbalance}) <= answer_residual &&
-           is_in_balance(shifted.qp, state.multipliers);
+    return residual_of(shifted, state) <= answer_residual && is_in_balance(shifted.qp, state.multipliers);
 }
 
 /// The state under a proximal term, from the one given and the states in `result`; false: none was found.
@@ -125,7 +128,8 @@ std::optional<ContactState> without_term(const ShiftedQp& shifted, const Contact
 }
 
 /// The answer by pivots from a state and the states in `result`, under a term that is a trifle: what it still bears of what
-/// contacts hold is less with each pass. False: it is not found.
+/// contacts hold is less with each pass; but for rounding where nothing resists, as between faces that slip on both sides.
+/// False: it is not found.
 bool pivot_to_answer(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
     result.used_fallback = true;
     Proximal term = term_of(stiffness, trifle_fraction);
@@ -133,12 +137,12 @@ bool pivot_to_answer(const ShiftedQp& shifted, const MatrixXd& stiffness, Contac
         term.anchor = state.amplitudes;
         if (!pivot_states(shifted, term, result.active, state, result.iterations)) return false;
         if (search_exactly(shifted, state, result)) return true;
-        if (std::optional<ContactState> exact = without_term(shifted, state, result.active);
-            exact && meets_conditions(shifted, *exact)) {
+        std::optional<ContactState> exact = without_term(shifted, state, result.active);
+        if (exact && meets_conditions(shifted, *exact)) {
             state = std::move(*exact);
             return true;
         }
-        if (meets_conditions(shifted, state)) return true;
+        if (meets_conditions(shifted, state) || (!exact && residual_of(shifted, state) <= answer_residual)) return true;
     }
     return false;
 }

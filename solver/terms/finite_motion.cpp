@@ -25,11 +25,8 @@ Matrix2d quadratic_stress(const Elasticity& d, const Matrix2d& G, double hoop) {
     return matrix_of(stress_of(d, strain)) + 0.5 * d.d12 * hoop * hoop * Matrix2d::Identity();
 }
 
-/// Is a displacement's gradient one that linear elasticity has at sharp corners only? What such strains of the order of one
-/// leave out moves the corner's own cells, by far, and nothing else.
-bool is_at_corner(const Matrix2d& G) {
-    constexpr double large_strain = 0.1;
-    return (0.5 * (G + G.transpose())).norm() > large_strain;
+double strain_of(const Matrix2d& G) {
+    return (0.5 * (G + G.transpose())).norm();
 }
 
 /// A displacement's gradient and stress at a point, and what they weigh in integrals over the part.
@@ -66,11 +63,28 @@ void for_all_points(const PartInput& input, const VectorXd& displacement, const 
     });
 }
 
+/// Strains above are those of sharp corners, where linear elasticity has no limit: what they leave out moves the corner's own
+/// cells, by far, and nothing else. A tenth, and what all of the part is strained by on top.
+double largest_strain(const PartInput& input, const VectorXd& displacement) {
+    constexpr double large = 0.1, beside_mean = 3;
+    const VectorXd elastic = straining(input, displacement);
+    double sum = 0, area = 0;
+    for_all_cells(input, [&](const CellRule& rule) {
+        const LocalSpline<2> u(input.space, rule.element, [&](int k) { return elastic.segment<2>(2 * k); });
+        for (std::size_t k = 0; k < rule.points.size(); ++k) {
+            sum += rule.weights[k] * strain_of(u.at(rule.points[k]).gradient);
+            area += rule.weights[k];
+        }
+    });
+    return large + beside_mean * sum / area;
+}
+
 }  // namespace
 
 VectorXd finite_motion_load(const PartInput& input, const VectorXd& displacement) {
     const StressOf stress(input, displacement);
     const Elasticity& d = input.elasticity;
+    const double most = largest_strain(input, displacement);
     VectorXd load = VectorXd::Zero(2 * input.space.n_functions);
     Sampled at;
     for_all_points(input, displacement, stress, [&](const CellRule& rule, const std::vector<PointOfPart>& points) {
@@ -81,7 +95,7 @@ VectorXd finite_motion_load(const PartInput& input, const VectorXd& displacement
         for (Index k = 0; k < n; ++k) {
             const PointOfPart& p = points[static_cast<std::size_t>(k)];
             const Matrix2d& G = p.u.gradient;
-            if (is_at_corner(G)) {
+            if (strain_of(G) > most) {
                 second.row(k).setZero();
                 continue;
             }
@@ -111,12 +125,13 @@ Matrix2d stress_integral(const PartInput& input, const VectorXd& displacement) {
 
 double stretching_work(const PartInput& input, const VectorXd& displacement, const VectorXd& added) {
     const StressOf stress(input, displacement);
+    const double most = largest_strain(input, displacement);
     double work = 0;
     for_all_points(input, displacement, stress, [&](const CellRule& rule, const std::vector<PointOfPart>& points) {
         const LocalSpline<2> v(input.space, rule.element, [&](int k) { return added.segment<2>(2 * k); });
         for (const PointOfPart& p : points) {
             const Matrix2d& G = p.u.gradient;
-            if (is_at_corner(G)) continue;
+            if (strain_of(G) > most) continue;
             const SplineAt<2> more = v.at(p.x);
             double hoop = 0, of_added = 0;
             if (input.axis) {

@@ -321,7 +321,9 @@ void warn_of_unused_rules(const Scene& scene, const Outcome& out, Result& result
         (later < 0 ? apart : overruled)
             .push_back({0, name(r),
                         name(r) + " has no effect: " +
-                            (later < 0 ? "these edges face each other nowhere within the search distance"
+                            (later < 0 ? (own_part(scene.contacts.pairs[at(r)]) < 0
+                                              ? "these edges face each other nowhere within the search distance"
+                                              : "these faces of one part are not brought together")
                                        : name(later) + ", which comes later, speaks of these edges, too")});
     }
     remark(std::move(apart), result);

@@ -47,7 +47,7 @@ double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
             const double first = by_cells.value_or(first_search_fraction * parts.size(i, j));
             if (parts.within(i, j, closing)) factor = std::max(factor, closing / first);
         }
-    for (int i : scene.contacts.of_one_part)
+    for (int i : parts_with_themselves(scene.contacts))
         factor = std::max(factor, 2 * moved[at(i)] / (first_search_fraction * parts.size(i, i)));
     return factor;
 }

@@ -71,9 +71,10 @@ std::set<int> closed_on_themselves(const Scene& scene, const SolvedAssembly& sol
     if (!scene.contacts.detect || !has_moved || !solved.solution.mechanism.empty() ||
         solved.solution.displacement.size() != solved.grids.size())
         return closed;
+    const std::set<int> known = parts_with_themselves(scene.contacts);
     for (std::size_t k = 0; k < solved.grids.size(); ++k)
         if (const int part = solved.grids[k].part;
-            !solved.grids[k].is_rigid && !scene.contacts.of_one_part.contains(part) && DeformedPart(scene, solved, k).closes())
+            !solved.grids[k].is_rigid && !known.contains(part) && DeformedPart(scene, solved, k).closes())
             closed.insert(part);
     return closed;
 }

@@ -32,6 +32,18 @@ bool names(const JsonValue& value, const std::string& parameter) {
     return std::any_of(value.items.begin(), value.items.end(), [&](const JsonValue& item) { return names(item, parameter); });
 }
 
+/// Does anything of a scene use its k-th parameter, by itself or by one of those after it?
+bool uses(const JsonValue& scene, const JsonValue& parameters, std::size_t k) {
+    const std::string& parameter = parameters.items[k].key;
+    const auto is_used_by = [&](const JsonValue& member) {
+        return member.key != "title" && member.key != "parameters" && names(member, parameter);
+    };
+    if (std::any_of(scene.items.begin(), scene.items.end(), is_used_by)) return true;
+    for (std::size_t j = k + 1; j < parameters.items.size(); ++j)
+        if (names(parameters.items[j], parameter) && uses(scene, parameters, j)) return true;
+    return false;
+}
+
 const std::string how_to_name = std::string("name the file '") + any_file +
                                 "' where each job's own belongs, as in \"assembly\": {\"file\": \"" + any_file + "\", ...}";
 
@@ -41,9 +53,9 @@ BatchTemplate read_template(const std::string& file) {
     const JsonDocument document = read_json(file);
     BatchTemplate result{file, names_any_file(document.root), {}, {}};
     if (const JsonValue* parameters = find_member(document.root, "parameters"))
-        for (const JsonValue& item : parameters->items) {
-            result.parameters.push_back(item.key);
-            if (!names(document.root, item.key)) result.unused.push_back(item.key);
+        for (std::size_t k = 0; k < parameters->items.size(); ++k) {
+            result.parameters.push_back(parameters->items[k].key);
+            if (!uses(document.root, *parameters, k)) result.unused.push_back(parameters->items[k].key);
         }
     return result;
 }

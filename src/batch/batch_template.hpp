@@ -13,7 +13,7 @@ struct BatchTemplate {
     std::string file;
     bool takes_file = false;              ///< it names `any_file`
     std::vector<std::string> parameters;  ///< those that it has
-    std::vector<std::string> unused;      ///< those of them that no text of it names
+    std::vector<std::string> unused;      ///< those of them that nothing of it uses
 };
 
 /// Reads a template. Throws InputError where it cannot be read as JSON; the rest of it only shows with a drawing.

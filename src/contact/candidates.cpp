@@ -159,7 +159,7 @@ std::vector<Encounter> find_encounters(const Scene& scene, double factor) {
             if (distances.within(i, j, distance))
                 encounters.push_back(encounter_of(scene, rules, distances, i, j, {distance, shown, shown}));
         }
-    for (int i : scene.contacts.of_one_part)
+    for (int i : parts_with_themselves(scene.contacts))
         encounters.push_back({i, i, own_candidates(scene, rules, i, distances.searched(i, i, factor))});
     return encounters;
 }

@@ -77,23 +77,13 @@ std::vector<EdgePortion> check_selection(SceneReading& reading, const Scene& sce
     return portions;
 }
 
-/// The part that a rule is for by itself; -1 where it is for several.
-int own_part(const PairRule& rule) {
-    const int part = rule.on[0].front().part;
-    const auto is_its = [&](const EdgePortion& p) { return p.part == part; };
-    const auto is_on_it = [&](const std::vector<EdgePortion>& side) { return std::all_of(side.begin(), side.end(), is_its); };
-    return std::all_of(rule.on.begin(), rule.on.end(), is_on_it) ? part : -1;
-}
-
 /// A rule for parts that lie on different levels, all of them, says what cannot be.
-void resolve_rule(SceneReading& reading, Scene& scene, PairRule& rule) {
+void resolve_rule(SceneReading& reading, const Scene& scene, PairRule& rule) {
     const std::size_t before = reading.problems.size();
     for (const Selection& side : rule.between) check_selection(reading, scene, side);
     if (reading.problems.size() > before) return;
     resolve(scene, rule);
     if (rule.kind == PairRule::Kind::ignore) return;
-    if (const int part = own_part(rule); part >= 0 && (rule.kind == PairRule::Kind::bonded || rule.interference != 0))
-        scene.contacts.of_one_part.insert(part);
     for (const EdgePortion& a : rule.on[0])
         for (const EdgePortion& b : rule.on[1])
             if (have_common_level(scene_part(scene, a.part).level, scene_part(scene, b.part).level)) return;

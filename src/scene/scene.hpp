@@ -164,8 +164,7 @@ struct ContactOptions {
     std::optional<PenaltyOptions> penalty;  ///< unset: mortar
     double friction = 0;                    ///< coefficient, infinite: rough
     std::vector<PairRule> pairs;
-    /// Parts whose own faces may touch each other: those that rules bond or press together, and those found where an answer
-    /// without has them overlap.
+    /// Parts whose own faces may touch each other: not given, but found where an answer without has them overlap.
     std::set<int> of_one_part{};
 };
 
@@ -265,10 +264,15 @@ struct Scene {
     std::vector<std::string> notes{};  ///< what was taken from elsewhere: materials of the library
 };
 
+/// The part that a rule is for by itself; -1 where it is for several.
+int own_part(const PairRule& rule);
+/// The parts that may touch themselves: of_one_part, and those that a rule bonds to themselves or presses together.
+std::set<int> parts_with_themselves(const ContactOptions& contacts);
+
 /// Is there anything that could touch, and is it looked for?
 inline bool searches_contacts(const Scene& scene) {
     const ContactOptions& c = scene.contacts;
-    return (c.detect || !c.pairs.empty()) && (scene.parts.size() > 1 || !c.of_one_part.empty());
+    return (c.detect || !c.pairs.empty()) && (scene.parts.size() > 1 || !parts_with_themselves(c).empty());
 }
 
 /// Is there a support of this kind?

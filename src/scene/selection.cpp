@@ -276,6 +276,21 @@ std::vector<EdgePortion> select(const Scene& scene, const Selection& selection) 
     return merged(std::move(portions));
 }
 
+int own_part(const PairRule& rule) {
+    const int part = rule.on[0].empty() ? -1 : rule.on[0].front().part;
+    const auto is_its = [&](const EdgePortion& p) { return p.part == part; };
+    const auto is_on_it = [&](const std::vector<EdgePortion>& side) { return std::all_of(side.begin(), side.end(), is_its); };
+    return std::all_of(rule.on.begin(), rule.on.end(), is_on_it) ? part : -1;
+}
+
+std::set<int> parts_with_themselves(const ContactOptions& contacts) {
+    std::set<int> parts = contacts.of_one_part;
+    for (const PairRule& rule : contacts.pairs)
+        if (const int part = own_part(rule); part >= 0 && (rule.kind == PairRule::Kind::bonded || rule.interference != 0))
+            parts.insert(part);
+    return parts;
+}
+
 void resolve(const Scene& scene, PairRule& rule) {
     for (std::size_t side : {0U, 1U}) rule.on[side] = select(scene, rule.between[side]);
 }

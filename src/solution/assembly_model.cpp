@@ -462,9 +462,11 @@ std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size
 }
 
 bool carries_nothing(const SolvedAssembly& solved, std::size_t contact) {
-    const double load_scale = solved.problem.load_scale;
-    return is_rounding(solved, contact, pressure_of(solved, contact), load_scale) &&
-           contact_force(solved, contact).force.norm() <= solver::open_force_fraction * load_scale;
+    const auto is_nothing = [&](const Eigen::VectorXd& traction) {
+        return is_rounding(solved, contact, traction, solved.problem.load_scale);
+    };
+    const int shear = solved.shear_of[contact];
+    return is_nothing(pressure_of(solved, contact)) && (shear < 0 || is_nothing(solved.solution.pressure[at(shear)]));
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {

@@ -61,9 +61,14 @@ TEST_F(CommandLine, SweepRefusesWhatItDoesNotUnderstand) {
         expect_refused(abut(words), 1);
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     EXPECT_NE(joined(abut({"sweep", scene, "q=1"}).errors).find("'q' is no parameter of"), std::string::npos);
-    write("p.json", R"({"abut": 1, "parameters": {"F": 1, "F2": 2, "G": "F2"}, "materials": {"m": {"E": 1, "nu": 0}}})");
-    EXPECT_NE(joined(abut({"sweep", "p.json", "F=1,2"}).errors).find("nothing in p.json uses its parameter 'F'"),
-              std::string::npos);
+    write("p.json", R"({"abut": 1, "title": "of F", "parameters": {"F": 1, "F2": 2, "G": "F2", "K": 3, "H": "2*K"},
+        "materials": {"m": {"E": "H", "nu": 0}}})");
+    const auto is_unused = [&](const std::string& name) {
+        const std::string errors = joined(abut({"sweep", "p.json", name + "=1,2"}).errors);
+        return errors.find("nothing in p.json uses its parameter '" + name + "'") != std::string::npos;
+    };
+    for (const char* name : {"F", "F2", "G"}) EXPECT_TRUE(is_unused(name)) << name;
+    for (const char* name : {"H", "K"}) EXPECT_FALSE(is_unused(name)) << name;
 }
 
 TEST_F(CommandLine, AnalyzeWritesEveryLoadCaseAndWhatIsLargest) {
