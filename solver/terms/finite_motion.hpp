@@ -10,8 +10,8 @@ namespace abut::solver {
 
 /// The load vector (2n) that does what the linear balance leaves out, to the second order: - int (G s + D e) : grad v. Its
 /// first term is that of columns, of strings, and of weights on what turns about a pin; its second takes back by what a
-/// rotation taken for a displacement makes a part larger. Left out are strains above a
-/// tenth and three times the mean, those of corners.
+/// rotation taken for a displacement makes a part larger. Left out are strains above a tenth and
+/// three times the mean, those of corners.
 Eigen::VectorXd finite_motion_load(const PartInput& input, const Eigen::VectorXd& displacement);
 
 /// The integral of the stress over the part: its mean times the volume.

@@ -2,8 +2,8 @@
 #include "src/contact/pair_rules.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <tuple>
+#include <span>
+#include <utility>
 
 #include "geometry/proximity/zone_pieces.hpp"
 #include "src/base/index.hpp"
@@ -28,22 +28,22 @@ FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZon
     return z;
 }
 
-bool holds(const std::vector<EdgePortion>& portions, const BoundaryPlace& p) {
-    const auto begins_later = [](const BoundaryPlace& place, const EdgePortion& portion) {
-        return std::tie(place.part, place.edge, place.t) < std::tie(portion.part, portion.edge, portion.t0);
-    };
-    const auto next = std::upper_bound(portions.begin(), portions.end(), p, begins_later);
-    if (next == portions.begin()) return false;
-    const EdgePortion& last = *std::prev(next);
-    return last.part == p.part && last.edge == p.edge && p.t <= last.t1;
+/// The portions of an edge, among sorted ones.
+std::span<const EdgePortion> portions_on(const std::vector<EdgePortion>& portions, int part, int edge) {
+    const auto of_edge = [](const EdgePortion& p) { return std::pair(p.part, p.edge); };
+    return std::ranges::equal_range(portions, std::pair(part, edge), {}, of_edge);
+}
+
+bool holds(const std::vector<EdgePortion>& portions, const BoundaryPlace& place) {
+    const auto own = portions_on(portions, place.part, place.edge);
+    return std::any_of(own.begin(), own.end(), [&](const EdgePortion& p) { return p.t0 <= place.t && place.t <= p.t1; });
 }
 
 bool share(const std::vector<EdgePortion>& a, const std::vector<EdgePortion>& b) {
-    const auto meet = [](const EdgePortion& p, const EdgePortion& q) {
-        return p.part == q.part && p.edge == q.edge && std::max(p.t0, q.t0) < std::min(p.t1, q.t1);
-    };
     return std::any_of(a.begin(), a.end(), [&](const EdgePortion& p) {
-        return std::any_of(b.begin(), b.end(), [&](const EdgePortion& q) { return meet(p, q); });
+        const auto there = portions_on(b, p.part, p.edge);
+        return std::any_of(there.begin(), there.end(),
+                           [&](const EdgePortion& q) { return std::max(p.t0, q.t0) < std::min(p.t1, q.t1); });
     });
 }
 
@@ -83,10 +83,9 @@ std::vector<double> PairRules::ends_on(int part, int edge) const {
     std::vector<double> ends;
     for (const auto& sides : on_)
         for (const std::vector<EdgePortion>& side : sides)
-            for (const EdgePortion& p : side)
-                if (p.part == part && p.edge == edge)
-                    for (const double t : {p.t0, p.t1})
-                        if (t > 0 && t < 1) ends.push_back(t);
+            for (const EdgePortion& p : portions_on(side, part, edge))
+                for (const double t : {p.t0, p.t1})
+                    if (t > 0 && t < 1) ends.push_back(t);
     return ends;
 }
 
