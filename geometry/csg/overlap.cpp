@@ -55,13 +55,9 @@ void find_deepest(const std::array<const Part*, 2>& parts, const std::vector<Bou
     found.depth = deepest;
 }
 
-}  // namespace
+using Stretches = std::vector<BoundaryStretch>;
 
-Overlap overlap(const Part& part1, const Part& part2, double tolerance) {
-    ENSURE(tolerance >= 0, "parts touch up to a distance");
-    if (!bounding_box(part1).overlaps(bounding_box(part2), 0)) return {};
-    const std::array<const Part*, 2> parts{&part1, &part2};
-    const std::vector<BoundaryStretch> boundary = common_boundary(part1, part2, tolerance);
+Overlap overlap_within(const std::array<const Part*, 2>& parts, const Stretches& boundary, double tolerance) {
     if (boundary.empty()) return {};
     Part common;
     for (const BoundaryStretch& stretch : boundary) {
@@ -74,6 +70,58 @@ Overlap overlap(const Part& part1, const Part& part2, double tolerance) {
     find_deepest(parts, boundary, found);
     if (found.depth <= tolerance) found.depth = 2 * found.area / perimeter(common);
     return found.depth > tolerance ? found : Overlap{};
+}
+
+Stretches stretches_of(const Part& part1, const Part& part2, double tolerance) {
+    ENSURE(tolerance >= 0, "parts touch up to a distance");
+    return bounding_box(part1).overlaps(bounding_box(part2), 0) ? common_boundary(part1, part2, tolerance) : Stretches{};
+}
+
+/// Each stretch is followed by the one that begins nearest to its end.
+std::vector<Stretches> loops_of(const std::array<const Part*, 2>& parts, const Stretches& boundary) {
+    const auto end_of = [&](const BoundaryStretch& s, double t) {
+        return point(parts[at(s.part)]->edges[at(s.edge)].curve, t);
+    };
+    std::vector<Vec2> begins;
+    for (const BoundaryStretch& s : boundary) begins.push_back(end_of(s, s.t0));
+    std::vector<Stretches> loops;
+    std::vector<char> is_taken(boundary.size(), 0);
+    for (std::size_t first = 0; first < boundary.size(); ++first) {
+        if (is_taken[first]) continue;
+        loops.emplace_back();
+        for (std::size_t k = first; !is_taken[k];) {
+            is_taken[k] = 1;
+            loops.back().push_back(boundary[k]);
+            const Vec2 end = end_of(boundary[k], boundary[k].t1);
+            const auto nearer = [&](const Vec2& a, const Vec2& b) { return (a - end).norm() < (b - end).norm(); };
+            k = static_cast<std::size_t>(std::min_element(begins.begin(), begins.end(), nearer) - begins.begin());
+        }
+    }
+    return loops;
+}
+
+}  // namespace
+
+Overlap overlap(const Part& part1, const Part& part2, double tolerance) {
+    return overlap_within({&part1, &part2}, stretches_of(part1, part2, tolerance), tolerance);
+}
+
+std::vector<Overlap> overlaps(const Part& part1, const Part& part2, double tolerance) {
+    const std::array<const Part*, 2> parts{&part1, &part2};
+    std::vector<Overlap> found;
+    for (const Stretches& loop : loops_of(parts, stretches_of(part1, part2, tolerance)))
+        if (const Overlap o = overlap_within(parts, loop, tolerance); o.depth > 0) found.push_back(o);
+    return found;
+}
+
+Overlap joined(const std::vector<Overlap>& overlaps) {
+    Overlap all;
+    for (const Overlap& o : overlaps) {
+        const double area = all.area + o.area;
+        if (o.depth > all.depth) all = o;
+        all.area = area;
+    }
+    return all;
 }
 
 }  // namespace abut::geometry

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What two parts have in common.
 #pragma once
+#include <vector>
+
 #include "geometry/brep/part.hpp"
 
 namespace abut::geometry {
@@ -19,5 +21,12 @@ struct Overlap {
 /// deepest point lies elsewhere. Of parts that coincide no boundary lies inside: the depth is then the mean thickness, twice
 /// the area over the perimeter. Cost O((edges + pairs that come near) log(edges)).
 Overlap overlap(const Part& part1, const Part& part2, double tolerance);
+
+/// Finds the overlap within each loop of that region's boundary by itself, in no particular order. Cost: of the square of the
+/// loops' stretches, too.
+std::vector<Overlap> overlaps(const Part& part1, const Part& part2, double tolerance);
+
+/// Joins several to one: the deepest, with the area of all.
+Overlap joined(const std::vector<Overlap>& overlaps);
 
 }  // namespace abut::geometry

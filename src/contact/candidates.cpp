@@ -91,7 +91,22 @@ Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchD
     ENSURE(within.search >= 0 && within.closest >= 0, "parts are searched up to distances");
     const geometry::Part &a = part_of(scene, first), &b = part_of(scene, second);
     const double touching = distances.touching(first, second), deepest = deepest_paired(distances, first, second);
-    const geometry::Overlap common = overlap(a, b, touching);
+    const auto is_searched_at = [&](const BoundaryPlace& p, const BoundaryPlace& q) {
+        return is_searched(scene, rules.of(p, q));
+    };
+    geometry::Overlap common;
+    if (rules.none()) {
+        common = overlap(a, b, touching);
+    } else {
+        std::vector<geometry::Overlap> all = overlaps(a, b, touching);
+        std::erase_if(all, [&](const geometry::Overlap& o) {
+            const auto on = [&](const geometry::Part& part, int edge) {
+                return closest_parameter(part.edges[at(edge)].curve, o.at);
+            };
+            return !is_searched_at({first, o.edge1, on(a, o.edge1)}, {second, o.edge2, on(b, o.edge2)});
+        });
+        common = joined(all);
+    }
     Encounter m{first, second};
     m.closest = closest_points(a, b, std::max(within.closest, touching));
     bool paired = false, depth_seen = false;
@@ -110,14 +125,7 @@ Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchD
     // "touching" is no word of scenes: parts are where a solution has pressed them into each other
     if (m.counts_as_touching || scene.contacts.overlap == "touching")
         for (Candidate& c : m.candidates) c.apart = std::max(0.0, -c.zone.gap_min);
-    const auto is_searched_at = [&](const BoundaryPlace& p, const BoundaryPlace& q) {
-        return is_searched(scene, rules.of(p, q));
-    };
-    const auto place_at = [](const geometry::Part& part, int index, int edge, const Vec2& x) {
-        return BoundaryPlace{index, edge, closest_parameter(part.edges[at(edge)].curve, x)};
-    };
-    if (common.depth > touching &&
-        is_searched_at(place_at(a, first, common.edge1, common.at), place_at(b, second, common.edge2, common.at))) {
+    if (common.depth > touching) {
         m.overlap = common;
         m.too_deep = common.depth > deepest || !depth_seen;
         m.is_refused = m.too_deep || (scene.contacts.overlap == "report" && !m.counts_as_touching);

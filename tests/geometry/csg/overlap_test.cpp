@@ -68,6 +68,29 @@ TEST(ExactOverlap, OfAnyDepthIsFound) {
     EXPECT_EQ(overlap(block(0, 1), block(1, 2), 0).area, 0) << "they touch";
 }
 
+TEST(ExactOverlap, LoopsAreOverlapsOfTheirOwn) {
+    for (const double turn : {0.0, 17.0}) {
+        const auto base = evaluate(place(rectangle(0, 0, 40, 5), turn, {1, 2})).part;
+        const auto stool =
+            evaluate(place(join({rectangle(2, 4.5, 8, 8), rectangle(30, 4.8, 36, 8), rectangle(2, 7, 36, 12)}), turn, {1, 2}))
+                .part;
+        std::vector<Overlap> feet = overlaps(base, stool, 1e-9);
+        ASSERT_EQ(feet.size(), 2u) << turn;
+        if (feet[0].depth < feet[1].depth) std::swap(feet[0], feet[1]);
+        EXPECT_NEAR(feet[0].depth, 0.5, 1e-9) << turn;
+        EXPECT_NEAR(feet[0].area, 3, 1e-9) << turn;
+        EXPECT_NEAR(feet[1].depth, 0.2, 1e-9) << turn;
+        EXPECT_NEAR(feet[1].area, 1.2, 1e-9) << turn;
+        const Overlap whole = overlap(base, stool, 1e-9), both = geometry::joined(feet);
+        EXPECT_EQ(both.depth, whole.depth) << turn;
+        EXPECT_NEAR(both.area, whole.area, 1e-9) << turn;
+        EXPECT_EQ(both.edge1, whole.edge1) << turn;
+    }
+    const auto plate = evaluate(rectangle(-3, -3, 3, 3)).part, disc = evaluate(circle(0.1, 0.2, 1)).part;
+    EXPECT_EQ(overlaps(plate, disc, 1e-9).size(), 1u);
+    EXPECT_TRUE(overlaps(plate, evaluate(rectangle(3, -3, 5, 3)).part, 1e-9).empty());
+}
+
 TEST(ExactOverlap, ThePinOfItsHoleHasNothingInCommonWithIt) {
     const auto plate = evaluate(less({rectangle(-3, -3, 3, 3), circle(0.1, 0.2, 1)})).part;
     EXPECT_TRUE(common_boundary(plate, evaluate(rectangle(-3, -5, 3, -3)).part, 0).empty()) << "beside it";

@@ -80,4 +80,21 @@ TEST(PairRules, APortionOfACircleLeavesTheRestInOnePiece) {
     }
 }
 
+/// Two feet reach into their base: a rule that ignores the deeper one says nothing of the other.
+TEST(PairRules, OverlapsAreIgnoredWhereTheRuleIsFor) {
+    const std::string parts = R"({"name": "base", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [40, 5]}}},
+        {"name": "stool", "material": "m", "geometry": {"polygon":
+            [[2, 4.5], [8, 4.5], [8, 8], [30, 8], [30, 4.8], [36, 4.8], [36, 12], [2, 12]]}})";
+    const auto refused = [&](const std::string& box) {
+        try {
+            find_candidates(
+                scene_with(parts, R"({"between": [{"part": "base", "box": )" + box + R"(}, "stool/*"], "kind": "ignore"})"), 1);
+        } catch (const InputError& error) { return error.problems().front().what; }
+        return std::string();
+    };
+    EXPECT_NE(refused("[[0, 4], [15, 6]]").find("0.2"), std::string::npos) << refused("[[0, 4], [15, 6]]");
+    EXPECT_NE(refused("[[20, 4], [40, 6]]").find("0.5"), std::string::npos) << refused("[[20, 4], [40, 6]]");
+    EXPECT_EQ(refused("[[0, 4], [40, 6]]"), "");
+}
+
 }  // namespace abut::pair_rules_test
