@@ -213,7 +213,6 @@ Vec2 force_left_out(const SolvedAssembly& solved, const SolvedAssembly& moved, s
 /// that it moves by, across the way that most of this goes. What edges hold bends as a whole.
 Change change_of(const SolvedAssembly& solved, const SolvedAssembly& moved, std::size_t i) {
     const VectorXd &u = solved.solution.displacement[i], v = moved.solution.displacement[i] - u;
-    if (!moves_that_count(solved)[i]) return {};
     const double least = least_share * u.lpNorm<Eigen::Infinity>();
     const FittedMotion of_u = fitted_motion_of(solved, i), of_v = fitted_motion(solved.grids[i], v);
     Change most;
@@ -268,8 +267,9 @@ std::optional<double> growth_of_bending(const Scene& scene, const SolvedAssembly
 void tell_displacements(const Scene& scene, const Outcome& out, const SolvedAssembly& moved, const std::vector<double>& columns,
                         double noted, int threads, Result& result) {
     std::vector<Finding> findings;
+    const std::vector<char> counts = moves_that_count(out.solved);
     for (std::size_t i = 0; i < out.solved.grids.size(); ++i) {
-        Change change = change_of(out.solved, moved, i);
+        Change change = counts[i] ? change_of(out.solved, moved, i) : Change();
         if (change.growing < 1 && columns[i] > doubtful_column)
             if (const auto growth = growth_of_bending(scene, out.solved, i, threads); growth && *growth >= 1)
                 change = {*growth, *growth};

@@ -21,6 +21,20 @@ bool is_searched(const Scene& scene, int rule) {
                     : scene.contacts.pairs[static_cast<std::size_t>(rule)].kind != PairRule::Kind::ignore;
 }
 
+/// What two parts have in common where no rule leaves it alone.
+geometry::Overlap overlap_searched(const Scene& scene, const PairRules& rules, int first, int second, double touching) {
+    const geometry::Part &a = part_of(scene, first), &b = part_of(scene, second);
+    if (rules.none()) return is_searched(scene, -1) ? overlap(a, b, touching) : geometry::Overlap();
+    std::vector<geometry::Overlap> all = overlaps(a, b, touching);
+    std::erase_if(all, [&](const geometry::Overlap& o) {
+        const auto on = [&](const geometry::Part& part, int edge) {
+            return closest_parameter(part.edges[at(edge)].curve, o.at);
+        };
+        return !is_searched(scene, rules.of({first, o.edge1, on(a, o.edge1)}, {second, o.edge2, on(b, o.edge2)}));
+    });
+    return joined(all);
+}
+
 /// Overlaps deeper than this have faces that are not paired.
 double deepest_paired(const SearchDistances& distances, int first, int second) {
     return std::min(distances.searched(first, second, 1), first_search_fraction * distances.size(first, second));
@@ -91,22 +105,7 @@ Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchD
     ENSURE(within.search >= 0 && within.closest >= 0, "parts are searched up to distances");
     const geometry::Part &a = part_of(scene, first), &b = part_of(scene, second);
     const double touching = distances.touching(first, second), deepest = deepest_paired(distances, first, second);
-    const auto is_searched_at = [&](const BoundaryPlace& p, const BoundaryPlace& q) {
-        return is_searched(scene, rules.of(p, q));
-    };
-    geometry::Overlap common;
-    if (rules.none()) {
-        common = overlap(a, b, touching);
-    } else {
-        std::vector<geometry::Overlap> all = overlaps(a, b, touching);
-        std::erase_if(all, [&](const geometry::Overlap& o) {
-            const auto on = [&](const geometry::Part& part, int edge) {
-                return closest_parameter(part.edges[at(edge)].curve, o.at);
-            };
-            return !is_searched_at({first, o.edge1, on(a, o.edge1)}, {second, o.edge2, on(b, o.edge2)});
-        });
-        common = joined(all);
-    }
+    const geometry::Overlap common = overlap_searched(scene, rules, first, second, touching);
     Encounter m{first, second};
     m.closest = closest_points(a, b, std::max(within.closest, touching));
     bool paired = false, depth_seen = false;
@@ -130,8 +129,9 @@ Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchD
         m.too_deep = common.depth > deepest || !depth_seen;
         m.is_refused = m.too_deep || (scene.contacts.overlap == "report" && !m.counts_as_touching);
     }
-    m.unpaired = m.closest && !paired &&
-                 is_searched_at({first, m.closest->edge1, m.closest->t1}, {second, m.closest->edge2, m.closest->t2});
+    m.unpaired =
+        m.closest && !paired &&
+        is_searched(scene, rules.of({first, m.closest->edge1, m.closest->t1}, {second, m.closest->edge2, m.closest->t2}));
     return m;
 }
 

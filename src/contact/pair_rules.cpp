@@ -20,6 +20,12 @@ struct Run {
     double begin1, end1, gap_min, gap_max;
 };
 
+void go_on(Run& run, double end1, double gap_min, double gap_max) {
+    run.end1 = end1;
+    run.gap_min = std::min(run.gap_min, gap_min);
+    run.gap_max = std::max(run.gap_max, gap_max);
+}
+
 /// The stretch of a zone that a run is.
 FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZone& whole, const Run& run) {
     FacingZone z = geometry::stretch_of(part_of(scene, first), part_of(scene, second), whole, run.begin1, run.end1);
@@ -97,19 +103,15 @@ std::vector<RuledZone> split_by_rules(const Scene& scene, const PairRules& rules
          zone_pieces(part_of(scene, first), part_of(scene, second), zone,
                      {ends_along(scene, rules, first, zone.chain1), ends_along(scene, rules, second, zone.chain2)})) {
         const int rule = rules.of({first, p.edge1, p.t1}, {second, p.edge2, p.t2});
-        if (runs.empty() || runs.back().rule != rule) {
+        if (runs.empty() || runs.back().rule != rule)
             runs.push_back({rule, p.begin1, p.end1, p.gap_min, p.gap_max});
-            continue;
-        }
-        runs.back().end1 = p.end1;
-        runs.back().gap_min = std::min(runs.back().gap_min, p.gap_min);
-        runs.back().gap_max = std::max(runs.back().gap_max, p.gap_max);
+        else
+            go_on(runs.back(), p.end1, p.gap_min, p.gap_max);
     }
     if (runs.size() == 1) return {{zone, runs[0].rule}};
     if (zone.closed && runs.front().rule == runs.back().rule) {  // where a closed zone begins is no end
-        runs.back().end1 = runs.front().end1 + zone.chain1.length;
-        runs.back().gap_min = std::min(runs.back().gap_min, runs.front().gap_min);
-        runs.back().gap_max = std::max(runs.back().gap_max, runs.front().gap_max);
+        const Run& first_run = runs.front();
+        go_on(runs.back(), first_run.end1 + zone.chain1.length, first_run.gap_min, first_run.gap_max);
         runs.erase(runs.begin());
     }
     std::vector<RuledZone> stretches;
